@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "scene/job.h"
+#include "scene/scene.h"
+
+namespace capcon {
+
+/// The oracle: the same jobs in double precision on the CPU, with its own traversal, warps and offsets. It shares with
+/// the device side only the scene and the bits of the sample points.
+class Reference {
+ public:
+  explicit Reference(const Scene& scene);
+  ~Reference();
+  RenderResult render(const AmbientOcclusionJob& job, const std::function<void(double)>& on_progress = {}) const;
+  const Timings& setup() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace capcon
