@@ -1,0 +1,17 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace capcon::cli {
+
+// One small file a verb: it declares its options and sets a callback that does the work. Results go to stdout (one JSON
+// value with --json), messages and progress to stderr, errors leave as InputError or Failure.
+void add_points_verb(CLI::App& app);
+void add_measure_verb(CLI::App& app);
+void add_tiles_verb(CLI::App& app);
+void add_render_verb(CLI::App& app);
+void add_compare_verb(CLI::App& app);
+void add_info_verb(CLI::App& app);
+void add_study_verb(CLI::App& app);
+
+}  // namespace capcon::cli
