@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "points/point_set.h"
@@ -19,21 +20,26 @@ struct FixedPoint {
 FixedPoint to_fixed(glm::dvec2 p);
 glm::dvec2 to_double(FixedPoint p);
 
-/// The kind of region of a tile that a point belongs to; copies of a corner or an edge region hold the same points.
+/// The kind of region of a tile that a point belongs to; copies of a corner or an edge region hold the same
+/// points.
 enum class RegionKind : std::uint8_t { corner, horizontal_edge, vertical_edge, interior };
 
-/// A complete set of corner tiles: tile index = colours of its corners (0,0), (1,0), (0,1), (1,1) read as a number in
-/// base `colours`, the first the lowest digit.
+/// "corner", "horizontal", "vertical", "interior": the words of the file format.
+std::string_view region_name(RegionKind kind);
+
+/// A complete set of corner tiles: tile index = colours of its corners (0,0), (1,0), (0,1), (1,1) read as a
+/// number in base `colours`, the first the lowest digit.
 struct TileSet {
   std::uint32_t colours = 2;
   std::uint32_t points_per_tile = 16;
   std::string recipe;  ///< the command that makes this set
 
   struct TilePoint {
-    FixedPoint position;        ///< in the tile's own unit square
+    FixedPoint position;  ///< in the tile's own unit square
     RegionKind kind = RegionKind::interior;
-    std::uint32_t region = 0;   ///< corner: its colour; edge: c0 + colours * c1 along +x or +y; interior: the tile
-    std::uint32_t slot = 0;     ///< which point of that region
+    std::uint32_t region =
+        0;  ///< corner: its colour; edge: c0 + colours * c1 along +x or +y; interior: the tile
+    std::uint32_t slot = 0;  ///< which point of that region
   };
   /// tiles[t][r]: the point of rank r of tile t. Any prefix of all tiles is well spread in any tiling.
   std::vector<std::vector<TilePoint>> tiles;
@@ -41,10 +47,14 @@ struct TileSet {
   std::size_t tile_count() const { return tiles.size(); }
 };
 
-/// Reads a capcon-tiles file (docs/tile-format.md). InputError with file:line for a wrong magic, version, checksum,
-/// truncated or inconsistent content.
+/// Reads a capcon-tiles file (docs/tile-format.md). InputError with file:line for a wrong magic, version,
+/// checksum, truncated or inconsistent content.
 TileSet read_tile_set(const std::filesystem::path& path);
 void write_tile_set(const std::filesystem::path& path, const TileSet& set);
+
+/// The same from and to text; `name` stands in messages.
+TileSet parse_tile_set(std::string_view text, const std::string& name);
+std::string format_tile_set(const TileSet& set);
 
 /// The shipped set tiles/c<colours>n<points>.tiles.
 TileSet shipped_tile_set(std::uint32_t colours = 2, std::uint32_t points_per_tile = 16);

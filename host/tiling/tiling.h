@@ -8,20 +8,22 @@
 
 namespace capcon {
 
-/// A stochastic tiling of the unit torus by N = a^2 + b^2 equal squares: the lattice of Gaussian integers modulo a + bi,
-/// turned and scaled onto the torus by 1 / (a + bi). b = 0 is the usual a x a tiling; a = b gives 2 a^2 tiles turned
-/// by 45 degrees, so that every power of two is a number of tiles. No tile is stored: the colour of a lattice vertex is
-/// a hash of its index, and a cell's tile follows from its four vertices.
+/// A stochastic tiling of the unit torus by N = a^2 + b^2 equal squares: the lattice of Gaussian integers
+/// modulo a + bi, turned and scaled onto the torus by 1 / (a + bi). b = 0 is the usual a x a tiling; a = b
+/// gives 2 a^2 tiles turned by 45 degrees, so that every power of two is a number of tiles. No tile is
+/// stored: the colour of a lattice vertex is a hash of its index, and a cell's tile follows from its four
+/// vertices.
 class GaussianTiling {
  public:
-  /// a >= 1, 0 <= b <= a.
+  /// 1 <= a <= 32767, 0 <= b <= a.
   GaussianTiling(std::uint32_t a, std::uint32_t b);
 
   /// The number of tiles, which is also the number of lattice vertices.
   std::uint32_t size() const { return size_; }
   /// Index in [0, size) of the vertex or cell at the integers (x, y), wrapped.
   std::uint32_t index(std::int64_t x, std::int64_t y) const;
-  /// The integers (x, y) of a vertex or cell index: the representative with 0 <= y < gcd(a, b), 0 <= x < N / gcd.
+  /// The integers (x, y) of a vertex or cell index: the representative with 0 <= y < gcd(a, b), 0 <= x < N /
+  /// gcd.
   glm::ivec2 cell(std::uint32_t index) const;
   /// Vertex indices of a cell's corners (0,0), (1,0), (0,1), (1,1).
   std::array<std::uint32_t, 4> corners(std::uint32_t cell) const;
@@ -36,12 +38,17 @@ class GaussianTiling {
   std::int64_t shift_;  ///< the lattice's basis is (size / gcd, 0) and (shift, gcd)
 };
 
-/// The points of a stochastic toroidal tiling: colours[v] of every vertex; the first `ranks` points of every tile, cell by
-/// cell. n = tiling.size() * ranks.
-Points tile_points(const TileSet& set, const GaussianTiling& tiling, const std::vector<std::uint32_t>& colours,
-                   std::uint32_t ranks);
+/// The points of a stochastic toroidal tiling: colours[v] of every vertex; the first `ranks` points of every
+/// tile, cell by cell. n = tiling.size() * ranks.
+Points tile_points(const TileSet& set, const GaussianTiling& tiling,
+                   const std::vector<std::uint32_t>& colours, std::uint32_t ranks);
+
+/// The tile of a cell, from the colours of its four vertices.
+std::uint32_t tile_of(const GaussianTiling& tiling, const std::vector<std::uint32_t>& colours,
+                      std::uint32_t colour_count, std::uint32_t cell);
 
 /// Vertex colours by hash of (seed, vertex).
-std::vector<std::uint32_t> random_colours(const GaussianTiling& tiling, std::uint32_t colours, std::uint64_t seed);
+std::vector<std::uint32_t> random_colours(const GaussianTiling& tiling, std::uint32_t colours,
+                                          std::uint64_t seed);
 
 }  // namespace capcon

@@ -1,0 +1,86 @@
+#include "tiling/tied_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "tiling/region_layout.h"
+
+namespace capcon {
+namespace {
+
+constexpr RegionKind kKinds[] = {RegionKind::corner, RegionKind::horizontal_edge, RegionKind::vertical_edge,
+                                 RegionKind::interior};
+
+struct Box {
+  glm::dvec2 low, high;
+};
+
+// Where the points of a region's part start: rectangles with as much area as they have points.
+Box start_box(RegionKind kind, std::uint32_t part, RegionCounts counts, std::uint32_t n) {
+  const double h = std::sqrt(double(counts.corner) / n), depth = counts.edge_side / (n * (1 - 2 * h));
+  const glm::dvec2 at(part & 1, part >> 1);
+  switch (kind) {
+    case RegionKind::corner:
+      return {at * (1 - h), at * (1 - h) + h};
+    case RegionKind::horizontal_edge:
+      return {{h, part * (1 - depth)}, {1 - h, part * (1 - depth) + depth}};
+    case RegionKind::vertical_edge:
+      return {{part * (1 - depth), h}, {part * (1 - depth) + depth, 1 - h}};
+    default:
+      return {glm::dvec2(depth), glm::dvec2(1 - depth)};
+  }
+}
+
+std::uint32_t power(std::uint32_t base, std::uint32_t exponent) {
+  return exponent == 0 ? 1 : base * power(base, exponent - 1);
+}
+
+}  // namespace
+
+RegionCounts region_counts(std::uint32_t points_per_tile) {
+  if (points_per_tile < 9)
+    throw InputError("a tile needs at least 9 points, so that some are left for its interior");
+  const auto side = std::uint32_t(std::floor(std::sqrt(double(points_per_tile))));
+  return {1, side - 2, points_per_tile - 4 * (side - 1)};
+}
+
+TiedPoints random_tied_points(std::uint32_t colours, std::uint32_t points_per_tile, RegionCounts counts,
+                              std::uint64_t seed) {
+  TiedPoints result{colours, points_per_tile, {}, {}};
+  result.tiles.resize(tile_count(colours));
+  for (const RegionKind kind : kKinds) {
+    const std::uint32_t bound = kind == RegionKind::corner ? 1 : kind == RegionKind::interior ? 4 : 2;
+    const std::uint32_t regions =
+        power(colours, bound);  // as many corner colours tell regions of this kind apart
+    const std::uint32_t per_part = kind == RegionKind::corner     ? counts.corner
+                                   : kind == RegionKind::interior ? counts.interior
+                                                                  : counts.edge_side;
+    for (std::uint32_t region = 0; region < regions; ++region)
+      for (std::uint32_t slot = 0; slot < per_part * part_count(kind); ++slot) {
+        const std::uint32_t part = slot / per_part;
+        const Box box = start_box(kind, part, counts, points_per_tile);
+        const std::uint64_t stream = result.free.size();
+        const glm::dvec2 u(uniform64(seed, stream, 0), uniform64(seed, stream, 1));
+        for (std::uint32_t t = 0; t < result.tiles.size(); ++t)
+          if (tile_region(colours, t, kind, part) == region) result.tiles[t].push_back(std::uint32_t(stream));
+        result.free.push_back({kind, region, part, slot, 1.0 / regions, box.low + u * (box.high - box.low)});
+      }
+  }
+  return result;
+}
+
+TileSet to_tile_set(const TiedPoints& points, std::string recipe) {
+  TileSet set{points.colours, points.points_per_tile, std::move(recipe), {}};
+  for (const std::vector<std::uint32_t>& tile : points.tiles) {
+    set.tiles.emplace_back();
+    for (const std::uint32_t i : tile) {
+      const TiedPoints::FreePoint& p = points.free[i];
+      set.tiles.back().push_back({to_fixed(p.position), p.kind, p.region, p.slot});
+    }
+  }
+  return set;
+}
+
+}  // namespace capcon
