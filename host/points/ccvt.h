@@ -15,14 +15,14 @@ struct CcvtOptions {
 };
 
 struct CcvtResult {
-  Points points;               ///< n sites
-  double energy = 0;           ///< n E / 0.160375... of the *discrete* cells (mean squared distance of space points)
+  Points points;      ///< n sites
+  double energy = 0;  ///< n E / 0.160375... of the *discrete* cells (mean squared distance of space points)
   std::uint64_t passes = 0;
   std::uint64_t swaps = 0;
 };
 
-/// Capacity-constrained points on the unit torus by swaps (Balzer et al. 2009, see docs): ends when a full pass over all
-/// pairs of sites that could gain swaps nothing. Deterministic per (sites, capacity, seed).
+/// Capacity-constrained points on the unit torus by swaps (Balzer et al. 2009, see docs): ends when a full
+/// pass over all pairs of sites that could gain swaps nothing. Deterministic per (sites, capacity, seed).
 CcvtResult ccvt(const CcvtOptions& options);
 
 }  // namespace capcon
