@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace capcon::reference {
+
+/// `direction` has unit length, so that parameters are distances.
+struct Ray {
+  glm::dvec3 origin;
+  glm::dvec3 direction;
+};
+
+struct Box {
+  glm::dvec3 low{1e300};
+  glm::dvec3 high{-1e300};
+  void grow(const Box& other);
+};
+
+/// A point of a surface, exact to a few ulps of its primitive's coordinates however far the ray came, and the
+/// unit geometric normal there.
+struct SurfacePoint {
+  glm::dvec3 position;
+  glm::dvec3 normal;
+};
+
+/// Everything of a scene that a ray can hit, in world space: objects are copied out for each of their
+/// instances. Triangles come first in the numbering, then spheres and disks.
+class Primitives {
+ public:
+  explicit Primitives(const Scene& scene);
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(triangles_.size() + round_.size()); }
+  Box bounds(std::uint32_t primitive) const;
+  /// Distance of the first hit in (0, t_max], or a negative number when there is none. Edges belong to the
+  /// surface.
+  double intersect(std::uint32_t primitive, const Ray& ray, double t_max) const;
+  /// The surface at the hit that intersect() found.
+  SurfacePoint surface(std::uint32_t primitive, const Ray& ray, double t) const;
+  /// A flat primitive cannot occlude its own points.
+  bool flat(std::uint32_t primitive) const;
+
+ private:
+  /// Vertices are rounded to float once, as the device side rounds them: both trace the same triangles.
+  struct Triangle {
+    glm::vec3 p[3];
+  };
+  struct Round {
+    ShapeKind kind;
+    double radius;
+    double inner_radius;
+    double height;
+    glm::dmat4 to_world;
+    glm::dmat4 to_object;
+  };
+  void add(const Scene& scene, const Shape& shape, const glm::dmat4& to_world);
+
+  std::vector<Triangle> triangles_;
+  std::vector<Round> round_;
+};
+
+}  // namespace capcon::reference

@@ -1,0 +1,102 @@
+#include "reference/tree.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace capcon::reference {
+namespace {
+
+/// What the box test needs of a ray, computed once.
+struct Slabs {
+  glm::dvec3 origin;
+  glm::dvec3 inverse;
+
+  explicit Slabs(const Ray& ray) : origin(ray.origin) {
+    for (int axis = 0; axis < 3; ++axis) {
+      // A tiny number instead of 0 keeps 0 * infinity out of the test below.
+      const double d = ray.direction[axis];
+      inverse[axis] = 1 / (std::abs(d) < 1e-300 ? std::copysign(1e-300, d) : d);
+    }
+  }
+
+  /// Where the ray enters the box, or infinity when it misses it within [0, t_max]. The far end is widened by
+  /// the error of the arithmetic (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013), so that nothing inside
+  /// is missed.
+  double enter(const Box& box, double t_max) const {
+    double near = 0;
+    double far = t_max;
+    for (int axis = 0; axis < 3; ++axis) {
+      double t0 = (box.low[axis] - origin[axis]) * inverse[axis];
+      double t1 = (box.high[axis] - origin[axis]) * inverse[axis];
+      if (t0 > t1) std::swap(t0, t1);
+      t1 *= 1 + 0x1p-49;
+      near = t0 > near ? t0 : near;
+      far = t1 < far ? t1 : far;
+    }
+    return near <= far ? near : std::numeric_limits<double>::infinity();
+  }
+};
+
+}  // namespace
+
+template <typename Visit>
+void Tree::walk(const Ray& ray, double& t_max, const Visit& visit) const {
+  if (order_.empty()) return;
+  constexpr double kMissed = std::numeric_limits<double>::infinity();
+  struct Entry {
+    std::uint32_t node;
+    double enter;
+  };
+  std::array<Entry, 96> stack;  // deeper than any tree that TreeBuilder makes
+  int size = 0;
+  const Slabs slabs(ray);
+  Entry here{0, slabs.enter(nodes_[0].box, t_max)};
+  if (here.enter == kMissed) return;
+  for (;;) {
+    const Node& node = nodes_[here.node];
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      if (visit(order_[i])) return;
+    }
+    if (node.count == 0) {
+      Entry a{node.first, slabs.enter(nodes_[node.first].box, t_max)};
+      Entry b{node.first + 1, slabs.enter(nodes_[node.first + 1].box, t_max)};
+      if (b.enter < a.enter) std::swap(a, b);
+      if (b.enter != kMissed) stack[size++] = b;
+      if (a.enter != kMissed) {
+        here = a;
+        continue;
+      }
+    }
+    do {
+      if (size == 0) return;
+      here = stack[--size];
+    } while (here.enter > t_max);
+  }
+}
+
+std::optional<Hit> Tree::closest(const Ray& ray) const {
+  std::optional<Hit> nearest;
+  double t_max = std::numeric_limits<double>::infinity();
+  walk(ray, t_max, [&](std::uint32_t primitive) {
+    const double t = primitives_.intersect(primitive, ray, t_max);
+    // Of two primitives at the same distance the lower number wins, whatever the order of the tree.
+    if (t > 0 && (!nearest || t < nearest->t || (t == nearest->t && primitive < nearest->primitive))) {
+      nearest = {primitive, t};
+      t_max = t;
+    }
+    return false;
+  });
+  return nearest;
+}
+
+bool Tree::occluded(const Ray& ray, double t_max, std::uint32_t ignored) const {
+  bool hit = false;
+  walk(ray, t_max, [&](std::uint32_t primitive) {
+    hit = primitive != ignored && primitives_.intersect(primitive, ray, t_max) > 0;
+    return hit;
+  });
+  return hit;
+}
+
+}  // namespace capcon::reference
