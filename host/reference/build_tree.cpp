@@ -123,12 +123,9 @@ class TreeBuilder {
 
 Tree::Tree(const Primitives& primitives) : primitives_(primitives) {
   TreeBuilder(*this, primitives);
-}
-
-double Tree::scale() const {
-  if (order_.empty()) return 0;
+  if (order_.empty()) return;
   const glm::dvec3 reach = glm::max(glm::abs(nodes_[0].box.low), glm::abs(nodes_[0].box.high));
-  return std::max({reach.x, reach.y, reach.z});
+  scale_ = std::max({reach.x, reach.y, reach.z});
 }
 
 }  // namespace capcon::reference

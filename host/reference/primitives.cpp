@@ -27,14 +27,21 @@ Ray transform_ray(const glm::dmat4& m, const Ray& ray) {
   return {transform_point(m, ray.origin), transform_vector(m, ray.direction)};
 }
 
-/// Signed volumes between the ray and the three edges (Pluecker; twice the barycentric weights times a common
-/// factor). An edge shared by two triangles gives exactly opposite numbers, so that no ray slips between
-/// them.
-dvec3 edge_volumes(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& direction) {
-  return {dot(direction, cross(c, b)), dot(direction, cross(a, c)), dot(direction, cross(b, a))};
+/// Signed areas that the ray makes with the three edges, seen along the ray: the barycentric weights times a
+/// common factor. An edge shared by two triangles gives exactly opposite numbers, so that no ray slips
+/// between them (Woop et al., "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013).
+dvec3 edge_areas(const Ray& ray, const dvec3& a, const dvec3& b, const dvec3& c) {
+  const glm::dvec2 p = ray.across(a), q = ray.across(b), r = ray.across(c);
+  return {r.x * q.y - r.y * q.x, p.x * r.y - p.y * r.x, q.x * p.y - q.y * p.x};
 }
 
 }  // namespace
+
+Ray::Ray(const dvec3& o, const dvec3& d) : origin(o), direction(d) {
+  const dvec3 size = glm::abs(d);
+  axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+  shear = glm::dvec2(d[(axis + 1) % 3], d[(axis + 2) % 3]) / d[axis];
+}
 
 void Box::grow(const Box& other) {
   low = glm::min(low, other.low);
@@ -98,9 +105,10 @@ double Primitives::intersect(std::uint32_t primitive, const Ray& ray, double t_m
   const dvec3 a = dvec3(t.p[0]) - ray.origin;
   const dvec3 b = dvec3(t.p[1]) - ray.origin;
   const dvec3 c = dvec3(t.p[2]) - ray.origin;
-  const dvec3 w = edge_volumes(a, b, c, ray.direction);
+  const dvec3 w = edge_areas(ray, a, b, c);
   if ((w.x < 0 || w.y < 0 || w.z < 0) && (w.x > 0 || w.y > 0 || w.z > 0)) return kMiss;
-  const dvec3 normal = cross(b - a, c - a);
+  const dvec3 p0(t.p[0]);
+  const dvec3 normal = cross(dvec3(t.p[1]) - p0, dvec3(t.p[2]) - p0);  // of differences without rounding
   const double facing = dot(normal, ray.direction);
   if (facing == 0 || w.x + w.y + w.z == 0) return kMiss;  // seen edge on, or without area
   const double distance = dot(normal, a) / facing;
@@ -123,7 +131,7 @@ SurfacePoint Primitives::surface(std::uint32_t primitive, const Ray& ray, double
   }
   const Triangle& triangle = triangles_[primitive];
   const dvec3 p0(triangle.p[0]), p1(triangle.p[1]), p2(triangle.p[2]);
-  const dvec3 w = edge_volumes(p0 - ray.origin, p1 - ray.origin, p2 - ray.origin, ray.direction);
+  const dvec3 w = edge_areas(ray, p0 - ray.origin, p1 - ray.origin, p2 - ray.origin);
   const double sum = w.x + w.y + w.z;
   return {(w.x * p0 + w.y * p1 + w.z * p2) / sum, glm::normalize(cross(p1 - p0, p2 - p0))};
 }

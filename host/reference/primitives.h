@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -9,10 +10,19 @@
 
 namespace capcon::reference {
 
-/// `direction` has unit length, so that parameters are distances.
+/// In world space `direction` has unit length, so that parameters are distances.
 struct Ray {
   glm::dvec3 origin;
   glm::dvec3 direction;
+  int axis;          ///< the largest component of the direction
+  glm::dvec2 shear;  ///< the next two components (cyclically), divided by it
+
+  Ray(const glm::dvec3& o, const glm::dvec3& d);
+  /// A point relative to the origin, seen along the ray: its two coordinates across it.
+  glm::dvec2 across(const glm::dvec3& from_origin) const {
+    const double along = from_origin[axis];
+    return {from_origin[(axis + 1) % 3] - shear.x * along, from_origin[(axis + 2) % 3] - shear.y * along};
+  }
 };
 
 struct Box {

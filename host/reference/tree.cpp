@@ -1,18 +1,26 @@
 #include "reference/tree.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <utility>
 
 namespace capcon::reference {
 namespace {
 
 /// What the box test needs of a ray, computed once.
+/// Boxes are widened by a few ulps of the coordinates, the error of the triangle test.
 struct Slabs {
-  glm::dvec3 origin;
+  glm::dvec3 to_low;
+  glm::dvec3 to_high;
   glm::dvec3 inverse;
 
-  explicit Slabs(const Ray& ray) : origin(ray.origin) {
+  Slabs(const Ray& ray, double scale) {
+    const glm::dvec3 size = glm::abs(ray.origin);
+    const double margin = 0x1p-48 * std::max({size.x, size.y, size.z, scale});
+    to_low = ray.origin + margin;
+    to_high = ray.origin - margin;
     for (int axis = 0; axis < 3; ++axis) {
       // A tiny number instead of 0 keeps 0 * infinity out of the test below.
       const double d = ray.direction[axis];
@@ -27,8 +35,8 @@ struct Slabs {
     double near = 0;
     double far = t_max;
     for (int axis = 0; axis < 3; ++axis) {
-      double t0 = (box.low[axis] - origin[axis]) * inverse[axis];
-      double t1 = (box.high[axis] - origin[axis]) * inverse[axis];
+      double t0 = (box.low[axis] - to_low[axis]) * inverse[axis];
+      double t1 = (box.high[axis] - to_high[axis]) * inverse[axis];
       if (t0 > t1) std::swap(t0, t1);
       t1 *= 1 + 0x1p-49;
       near = t0 > near ? t0 : near;
@@ -50,7 +58,7 @@ void Tree::walk(const Ray& ray, double& t_max, const Visit& visit) const {
   };
   std::array<Entry, 96> stack;  // deeper than any tree that TreeBuilder makes
   int size = 0;
-  const Slabs slabs(ray);
+  const Slabs slabs(ray, scale_);
   Entry here{0, slabs.enter(nodes_[0].box, t_max)};
   if (here.enter == kMissed) return;
   for (;;) {

@@ -27,7 +27,7 @@ class Tree {
   /// Whether anything but primitive `ignored` is hit at a distance in (0, t_max].
   bool occluded(const Ray& ray, double t_max, std::uint32_t ignored = kNone) const;
   /// Largest magnitude of a coordinate in the scene.
-  double scale() const;
+  double scale() const { return scale_; }
 
  private:
   /// Inner nodes (count 0) have their children at `first` and `first + 1`; leaves hold order_[first .. first
@@ -45,6 +45,7 @@ class Tree {
   const Primitives& primitives_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
+  double scale_ = 0;
   friend class TreeBuilder;
 };
 
