@@ -32,7 +32,8 @@ struct Parameters {
   };
   std::map<std::string, Entry> entries;
 
-  /// First number of the entry, or `fallback` when absent. InputError (with its place) when it is not a number.
+  /// First number of the entry, or `fallback` when absent. InputError (with its place) when it is not a
+  /// number.
   double number(const std::string& name, double fallback) const;
   std::string string(const std::string& name, const std::string& fallback) const;
   bool boolean(const std::string& name, bool fallback) const;
@@ -47,21 +48,23 @@ struct Entity {
   Parameters parameters;
   glm::dmat4 to_world{1};  ///< the current transform at the directive (lights)
   SourcePlace place;
+  std::string values;  ///< of a texture: "float" or "spectrum", which pbrt names apart; else empty
 };
 
 enum class ShapeKind : std::uint8_t { mesh, sphere, disk };
 
-/// One shape under its transform. Spheres and disks are full: partial ones (phimax, zmin, zmax) are read as meshes.
+/// One shape under its transform. Spheres and disks are full: partial ones (phimax, zmin, zmax) are read as
+/// meshes.
 struct Shape {
   ShapeKind kind = ShapeKind::mesh;
-  std::uint32_t mesh = 0;          ///< index into Scene::meshes
-  double radius = 1;               ///< sphere, disk
-  double height = 0;               ///< disk: z of its plane
-  double inner_radius = 0;         ///< disk
-  glm::dmat4 to_world{1};          ///< within an object: to the object's space
+  std::uint32_t mesh = 0;   ///< index into Scene::meshes
+  double radius = 1;        ///< sphere, disk
+  double height = 0;        ///< disk: z of its plane
+  double inner_radius = 0;  ///< disk
+  glm::dmat4 to_world{1};   ///< within an object: to the object's space
   bool reverse_orientation = false;
-  int material = -1;               ///< index into Scene::materials, -1 for the default
-  int area_light = -1;             ///< index into Scene::area_lights, -1 for none
+  int material = -1;    ///< index into Scene::materials, -1 for the default
+  int area_light = -1;  ///< index into Scene::area_lights, -1 for none
   SourcePlace place;
 };
 
@@ -77,10 +80,11 @@ struct Instance {
 
 /// A perspective camera with pbrt's conventions: left-handed camera space, +x right, +y up, looking along +z.
 struct Camera {
-  glm::dmat4 camera_to_world{1};   ///< may mirror (Scale -1 1 1 before LookAt)
-  double fov_degrees = 90;         ///< full angle across the shorter image axis
-  std::array<double, 4> screen{0, 0, 0, 0};  ///< x_min, x_max, y_min, y_max; all 0: from the aspect ratio, as pbrt does
-  double frame_aspect_ratio = 0;   ///< 0: from the resolution
+  glm::dmat4 camera_to_world{1};  ///< may mirror (Scale -1 1 1 before LookAt)
+  double fov_degrees = 90;        ///< full angle across the shorter image axis
+  std::array<double, 4> screen{
+      0, 0, 0, 0};                ///< x_min, x_max, y_min, y_max; all 0: from the aspect ratio, as pbrt does
+  double frame_aspect_ratio = 0;  ///< 0: from the resolution
 };
 
 struct Film {
@@ -114,8 +118,9 @@ struct ReadOptions {
   bool uvs = false;
 };
 
-/// Reads .pbrt (v4 names; v2/v3 accepted), .ply or .obj by its extension. A bare mesh gets a camera that sees it whole.
-/// InputError with file:line:column for anything malformed: unknown directives, missing files, bad numbers, NaN.
+/// Reads .pbrt (v4 names; v2/v3 accepted), .ply or .obj by its extension. A bare mesh gets a camera that sees
+/// it whole. InputError with file:line:column for anything malformed: unknown directives, missing files, bad
+/// numbers, NaN.
 Scene read_scene(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace capcon
