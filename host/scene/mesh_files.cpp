@@ -15,13 +15,11 @@ TriangleMesh read_mesh_file(const std::filesystem::path& path, const ReadOptions
                                     : parse_ply(bytes, path.string(), options);
 }
 
-std::uint32_t MeshFiles::add(const std::filesystem::path& path, const SourcePlace& place,
-                             std::vector<TriangleMesh>& meshes) {
+std::optional<std::uint32_t> MeshFiles::add(const std::filesystem::path& path,
+                                            std::vector<TriangleMesh>& meshes) {
   std::error_code error;
   const std::filesystem::path canonical = std::filesystem::canonical(path, error);
-  if (error || !std::filesystem::is_regular_file(canonical, error)) {
-    throw InputError(place, "the mesh file \"" + path.string() + "\" cannot be found");
-  }
+  if (error || !std::filesystem::is_regular_file(canonical, error)) return std::nullopt;
   const auto [found, is_new] =
       by_path_.emplace(canonical.string(), static_cast<std::uint32_t>(meshes.size()));
   if (is_new) {

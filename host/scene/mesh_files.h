@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "scene/scene.h"
 
 namespace capcon {
@@ -19,9 +19,8 @@ TriangleMesh read_mesh_file(const std::filesystem::path& path, const ReadOptions
 class MeshFiles {
  public:
   /// The index in `meshes` that the mesh of this file will have; a new file gets an empty mesh at the end.
-  /// InputError (with `place`) when there is no such file.
-  std::uint32_t add(const std::filesystem::path& path, const SourcePlace& place,
-                    std::vector<TriangleMesh>& meshes);
+  /// Nothing when there is no such file.
+  std::optional<std::uint32_t> add(const std::filesystem::path& path, std::vector<TriangleMesh>& meshes);
 
   /// Fills the meshes. Of several broken files the first one named is reported.
   void load(std::vector<TriangleMesh>& meshes, const ReadOptions& options) const;

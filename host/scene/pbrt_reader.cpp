@@ -99,6 +99,37 @@ void read_tokens(PbrtContext& context, Tokenizer& tokens) {
   }
 }
 
+/// Materials that are used and never defined: their shapes get the default, as in pbrt.
+void settle_missing_materials(PbrtContext& context) {
+  if (context.missing_materials.empty()) return;
+  std::vector<std::string_view> names;
+  for (const auto& material : context.materials) {
+    if (!context.missing_materials.contains(material.first)) names.push_back(material.first);
+  }
+  std::vector<bool> missing(context.scene.materials.size());
+  for (const auto& [name, place] : context.missing_materials) {
+    missing[context.materials.at(name)] = true;
+    context.warn(place, fmt::format("there is no material named \"{}\", the default is used{}", name,
+                                    suggestion(name, names)));
+  }
+  std::vector<int> renumbered(missing.size(), -1);
+  std::vector<Entity> kept;
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    if (missing[i]) continue;
+    renumbered[i] = static_cast<int>(kept.size());
+    kept.push_back(std::move(context.scene.materials[i]));
+  }
+  context.scene.materials = std::move(kept);
+  const auto renumber = [&](std::vector<Shape>& shapes) {
+    for (Shape& shape : shapes) {
+      if (shape.material >= 0) shape.material = renumbered[shape.material];
+    }
+  };
+  renumber(context.scene.shapes);
+  renumber(context.scene.hidden_shapes);
+  for (Object& object : context.scene.objects) renumber(object.shapes);
+}
+
 /// What can only be said at the end.
 void finish(PbrtContext& context, const Tokenizer& tokens) {
   if (!context.in_world) throw InputError(SourcePlace{tokens.file()}, "this scene has no WorldBegin");
@@ -111,14 +142,7 @@ void finish(PbrtContext& context, const Tokenizer& tokens) {
         scope.directive.substr(0, scope.directive.size() - std::string_view("Begin").size());
     throw InputError(scope.place, fmt::format("this {} is never closed; add a {}End", scope.directive, stem));
   }
-  for (const auto& [name, place] : context.missing_materials) {
-    std::vector<std::string_view> names;
-    for (const auto& material : context.materials) {
-      if (!context.missing_materials.contains(material.first)) names.push_back(material.first);
-    }
-    throw InputError(place,
-                     fmt::format("there is no material named \"{}\"{}", name, suggestion(name, names)));
-  }
+  settle_missing_materials(context);
   context.files.load(context.scene.meshes, context.options);
   const bool empty = context.scene.shapes.empty() && context.scene.instances.empty();
   if (empty) context.warn({tokens.file()}, "the scene has no shapes");

@@ -140,32 +140,42 @@ void disk(const ShapeSource& source, Scene& scene, Shape& shape) {
       add_mesh(scene, tessellate_disk(shape.radius, shape.inner_radius, shape.height, phi_max(source)));
 }
 
-void mesh_file(const ShapeSource& source, PbrtContext& context, Shape& shape, const std::string& type) {
+/// False when there is no such file: scenes are handed on without their largest meshes, and pbrt renders them
+/// too.
+bool mesh_file(const ShapeSource& source, PbrtContext& context, Shape& shape, const std::string& type) {
   const std::string name = source.parameters.string("filename", {});
   if (name.empty()) throw InputError(source.place, fmt::format("a {} needs its \"string filename\"", type));
   const SourcePlace place = source.place_of("filename");
   const std::filesystem::path path = context.resolve(name, place);
   const std::string wanted = type == "plymesh" ? ".ply" : ".obj";
-  if (path.extension() != wanted)
+  if (path.extension() != wanted) {
     throw InputError(place, fmt::format("a {} is read from a {} file, not from \"{}\"", type, wanted, name));
-  shape.mesh = context.files.add(path, place, context.scene.meshes);
+  }
+  const std::optional<std::uint32_t> mesh = context.files.add(path, context.scene.meshes);
+  if (mesh) {
+    shape.mesh = *mesh;
+  } else {
+    context.warn(place,
+                 fmt::format("the mesh file \"{}\" cannot be found; its shape was left out", path.string()));
+  }
+  return mesh.has_value();
 }
 
 /// Puts the shape into the open object or into the world.
-void add_shape(PbrtContext& context, Shape shape) {
+void add_shape(PbrtContext& context, Shape shape, bool hidden) {
   if (!context.object) {
-    context.scene.shapes.push_back(std::move(shape));
+    (hidden ? context.scene.hidden_shapes : context.scene.shapes).push_back(std::move(shape));
     return;
   }
   if (shape.area_light >= 0) {
     context.warn(shape.place, "area lights in objects are left out: instances do not emit");
     shape.area_light = -1;
   }
-  context.scene.objects[*context.object].shapes.push_back(std::move(shape));
+  if (!hidden) context.scene.objects[*context.object].shapes.push_back(std::move(shape));
 }
 
-/// True when alpha hides the shape altogether.
-bool check_alpha(PbrtContext& context, const ShapeSource& source) {
+/// Whether an alpha of 0 hides the shape. Cut-outs by textures are not supported.
+bool is_hidden(PbrtContext& context, const ShapeSource& source) {
   const Parameters::Entry* alpha = source.entry("alpha");
   if (!alpha) return false;
   if (alpha->type == "float") return source.parameters.number("alpha", 1) == 0;
@@ -197,10 +207,6 @@ void read_pbrt_shape(PbrtContext& context, Tokenizer& tokens, const Token& direc
     return;
   }
   const ShapeSource source{parameters, place};
-  if (check_alpha(context, source)) {
-    context.warn(place, "shapes with alpha 0 are left out");
-    return;
-  }
   Shape shape;
   shape.to_world = context.state.to_world;
   shape.reverse_orientation = context.state.reverse_orientation;
@@ -212,13 +218,13 @@ void read_pbrt_shape(PbrtContext& context, Tokenizer& tokens, const Token& direc
   } else if (type == "disk") {
     disk(source, context.scene, shape);
   } else if (type == "plymesh" || type == "objmesh") {
-    mesh_file(source, context, shape, type);
+    if (!mesh_file(source, context, shape, type)) return;
   } else {
     if (type == "loopsubdiv")
       context.warn(place, "subdivision surfaces are not refined: their control meshes are used");
     shape.mesh = add_mesh(context.scene, triangle_mesh(source, context.options));
   }
-  add_shape(context, std::move(shape));
+  add_shape(context, std::move(shape), is_hidden(context, source));
 }
 
 }  // namespace capcon

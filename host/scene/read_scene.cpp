@@ -32,13 +32,13 @@ Scene read_bare_mesh(const std::filesystem::path& path, const ReadOptions& optio
 }  // namespace
 
 std::uint64_t Scene::unique_triangles() const {
-  std::uint64_t count = triangles(*this, shapes);
+  std::uint64_t count = triangles(*this, shapes) + triangles(*this, hidden_shapes);
   for (const Object& object : objects) count += triangles(*this, object.shapes);
   return count;
 }
 
 std::uint64_t Scene::instanced_triangles() const {
-  std::uint64_t count = triangles(*this, shapes);
+  std::uint64_t count = triangles(*this, shapes) + triangles(*this, hidden_shapes);
   for (const Instance& instance : instances) count += triangles(*this, objects[instance.object].shapes);
   return count;
 }

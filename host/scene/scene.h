@@ -100,6 +100,8 @@ struct Scene {
   Camera camera;
   std::vector<TriangleMesh> meshes;
   std::vector<Shape> shapes;  ///< in world space, outside objects
+  std::vector<Shape>
+      hidden_shapes;  ///< of alpha 0, outside objects: they emit, yet no ray sees or meets them
   std::vector<Object> objects;
   std::vector<Instance> instances;
   std::vector<Entity> materials;
@@ -108,7 +110,9 @@ struct Scene {
   std::vector<Entity> textures;
   std::vector<std::string> warnings;  ///< one sentence each, each thing once
 
+  /// Triangles of all shapes (hidden ones too), those of an object once; spheres and disks have none.
   std::uint64_t unique_triangles() const;
+  /// The same with the triangles of an object counted for each of its instances.
   std::uint64_t instanced_triangles() const;
 };
 
@@ -119,8 +123,9 @@ struct ReadOptions {
 };
 
 /// Reads .pbrt (v4 names; v2/v3 accepted), .ply or .obj by its extension. A bare mesh gets a camera that sees
-/// it whole. InputError with file:line:column for anything malformed: unknown directives, missing files, bad
-/// numbers, NaN.
+/// it whole. InputError with file:line:column for anything malformed: unknown directives, missing includes,
+/// bad numbers, NaN. What pbrt itself renders without (a missing mesh file, an undefined material) and what
+/// is not supported (motion, media, shape alpha, some shapes) is said in `warnings`.
 Scene read_scene(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace capcon
