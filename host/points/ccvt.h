@@ -9,20 +9,27 @@ namespace capcon {
 
 struct CcvtOptions {
   std::uint32_t sites = 1024;     ///< n >= 1
-  std::uint32_t capacity = 1024;  ///< K >= 1 space points a site
+  std::uint32_t capacity = 1024;  ///< K >= 1 space points a site; n K <= 2^31
   std::uint64_t seed = 1;
-  std::function<void(double energy, std::uint64_t swaps)> on_pass;  ///< called after each pass, may be empty
+  /// Called after each pass at the full capacity (coarser ones come first), may be empty. `energy` as in
+  /// CcvtResult; it falls from pass to pass.
+  std::function<void(double energy, std::uint64_t swaps)> on_pass;
 };
 
 struct CcvtResult {
-  Points points;      ///< n sites
-  double energy = 0;  ///< n E / 0.160375... of the *discrete* cells (mean squared distance of space points)
-  std::uint64_t passes = 0;
-  std::uint64_t swaps = 0;
+  Points points;      ///< n sites, neighbours near each other in the order
+  double energy = 0;  ///< n E / kHexagonEnergy of the *discrete* cells: E is the mean squared distance of a
+                      ///< space point to its own site, a little above what `measure` says of the same sites
+  std::uint64_t passes = 0;  ///< over all capacities, coarse ones included
+  std::uint64_t swaps = 0;   ///< exchanged pairs of space points, likewise
 };
 
-/// Capacity-constrained points on the unit torus by swaps (Balzer et al. 2009, see docs): ends when a full
-/// pass over all pairs of sites that could gain swaps nothing. Deterministic per (sites, capacity, seed).
+/// Capacity-constrained points on the unit torus by swaps (Balzer, Schloemer, Deussen, "Capacity-constrained
+/// point distributions", 2009): n K even space points, K for each site; sites exchange space points while
+/// that lowers the summed squared distance, and stand at the centroids of theirs. Ends when a full pass over
+/// all pairs of sites that could gain exchanges nothing. It starts from random cells with few space points
+/// and refines them, which changes the time, not the end. Deterministic per (sites, capacity, seed).
+/// InputError for n = 0, K = 0 or n K > 2^31.
 CcvtResult ccvt(const CcvtOptions& options);
 
 }  // namespace capcon

@@ -1,0 +1,170 @@
+#include "points/ccvt_exchange.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+namespace capcon {
+
+namespace {
+
+using Candidate = CcvtScratch::Candidate;
+
+// Four lanes: what every x86-64 and ARMv8 has. The compiler splits or maps them elsewhere.
+using Floats = float __attribute__((vector_size(16)));
+using Words = std::int32_t __attribute__((vector_size(16)));
+
+/// keys[k] = u . (point k - centre) for the slots [begin, end); returns the largest, or `largest`.
+float project(const std::uint32_t* x, const std::uint32_t* y, std::uint32_t begin, std::uint32_t end,
+              TorusPoint centre, float ux, float uy, float* keys, float largest) {
+  const auto cx = static_cast<std::int32_t>(centre.x), cy = static_cast<std::int32_t>(centre.y);
+  const Words vcx = {cx, cx, cx, cx}, vcy = {cy, cy, cy, cy};
+  const Floats vux = {ux, ux, ux, ux}, vuy = {uy, uy, uy, uy};
+  Floats best = {largest, largest, largest, largest};
+  std::uint32_t k = begin;
+  for (; k + 4 <= end; k += 4) {
+    Words px, py;
+    std::memcpy(&px, x + k, sizeof px);
+    std::memcpy(&py, y + k, sizeof py);
+    using Unsigned = std::uint32_t __attribute__((vector_size(16)));
+    const Words dx = (Words)((Unsigned)px - (Unsigned)vcx), dy = (Words)((Unsigned)py - (Unsigned)vcy);
+    const Floats key = __builtin_convertvector(dx, Floats) * vux + __builtin_convertvector(dy, Floats) * vuy;
+    std::memcpy(keys + k, &key, sizeof key);
+    best = key > best ? key : best;
+  }
+  for (; k < end; ++k) {
+    keys[k] = static_cast<float>(difference(x[k], centre.x)) * ux +
+              static_cast<float>(difference(y[k], centre.y)) * uy;
+    largest = std::max(largest, keys[k]);
+  }
+  return std::max({largest, best[0], best[1], best[2], best[3]});
+}
+
+/// The slots whose key is above the limit, largest key first.
+void collect(const std::vector<float>& keys, std::uint32_t count, float limit, std::vector<Candidate>& into) {
+  into.clear();
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (keys[k] > limit) into.push_back({keys[k], k});
+  }
+  std::sort(into.begin(), into.end(), [](const Candidate& a, const Candidate& b) {
+    return a.key != b.key ? a.key > b.key : a.slot < b.slot;
+  });
+}
+
+/// One point into a slot of site s in place of another.
+struct Replacement {
+  CcvtCells& cells;
+  std::size_t s;
+  CcvtSite& site = cells.sites[s];
+  bool unsorted = false;  ///< an inner slot got a point that is too far out
+  float reach2 = site.reach * site.reach;
+
+  void put(std::uint32_t slot, TorusPoint old, TorusPoint fresh) {
+    cells.x(s)[slot] = fresh.x;
+    cells.y(s)[slot] = fresh.y;
+    const std::int32_t dx = difference(fresh.x, site.centre.x), dy = difference(fresh.y, site.centre.y);
+    site.sum_x += dx - static_cast<std::int64_t>(difference(old.x, site.centre.x));
+    site.sum_y += dy - static_cast<std::int64_t>(difference(old.y, site.centre.y));
+    const float distance2 =
+        static_cast<float>(dx) * static_cast<float>(dx) + static_cast<float>(dy) * static_cast<float>(dy);
+    reach2 = std::max(reach2, distance2 * 1.000002f);
+    unsorted |= slot >= site.outer && distance2 > site.inner * site.inner;
+  }
+  void finish() {
+    site.reach = std::sqrt(reach2);
+    cells.place(s);
+    const double drift = 0.1 * site.inner;
+    if (unsorted || cells.is_large(s) || site.x * site.x + site.y * site.y > drift * drift) cells.refit(s);
+  }
+};
+
+/// Trades the foremost candidates of both sides while their keys add up to more than the limit.
+std::uint32_t trade(CcvtCells& cells, std::size_t i, std::size_t j, float limit, const CcvtScratch& scratch) {
+  Replacement to_i{cells, i}, to_j{cells, j};
+  const std::size_t most = std::min(scratch.from_i.size(), scratch.from_j.size());
+  std::uint32_t count = 0;
+  for (; count < most && scratch.from_i[count].key + scratch.from_j[count].key > limit; ++count) {
+    const std::uint32_t a = scratch.from_i[count].slot, b = scratch.from_j[count].slot;
+    const TorusPoint p{cells.x(i)[a], cells.y(i)[a]}, q{cells.x(j)[b], cells.y(j)[b]};
+    to_i.put(a, p, q);
+    to_j.put(b, q, p);
+  }
+  if (count > 0) {
+    to_i.finish();
+    to_j.finish();
+  }
+  return count;
+}
+
+/// keys[k] = |p - s|^2 - |p - t|^2 by nearest images; returns the largest.
+float compare_images(const CcvtCells& cells, std::size_t s, std::size_t t, std::vector<float>& keys) {
+  const auto distance2 = [&](std::size_t site, std::uint32_t x, std::uint32_t y) {
+    const CcvtSite& to = cells.sites[site];
+    double dx = difference(x, to.centre.x) - to.x, dy = difference(y, to.centre.y) - to.y;
+    dx -= 0x1p32 * std::round(dx * 0x1p-32);
+    dy -= 0x1p32 * std::round(dy * 0x1p-32);
+    return dx * dx + dy * dy;
+  };
+  float largest = -std::numeric_limits<float>::infinity();
+  for (std::uint32_t k = 0; k < cells.capacity(); ++k) {
+    const std::uint32_t x = cells.x(s)[k], y = cells.y(s)[k];
+    keys[k] = static_cast<float>(distance2(s, x, y) - distance2(t, x, y));
+    largest = std::max(largest, keys[k]);
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::uint32_t exchange(CcvtCells& cells, std::size_t i, std::size_t j, CcvtScratch& scratch) {
+  const std::uint32_t capacity = cells.capacity();
+  const CcvtSite& a = cells.sites[i];
+  const CcvtSite& b = cells.sites[j];
+  scratch.keys_i.resize(capacity);
+  scratch.keys_j.resize(capacity);
+
+  if (cells.is_large(i) || cells.is_large(j)) {  // the nearest images of a point may differ for the two sites
+    const float most_i = compare_images(cells, i, j, scratch.keys_i);
+    const float most_j = compare_images(cells, j, i, scratch.keys_j);
+    const float epsilon = 0x1p-20f * 0x1p62f;  // keys are at most 2^63, rounded at 2^-24 of that
+    if (most_i + most_j <= epsilon) return 0;
+    collect(scratch.keys_i, capacity, epsilon - most_j, scratch.from_i);
+    collect(scratch.keys_j, capacity, epsilon - most_i, scratch.from_j);
+    return trade(cells, i, j, epsilon, scratch);
+  }
+
+  const double centres_x = difference(b.centre.x, a.centre.x), centres_y = difference(b.centre.y, a.centre.y);
+  const double dx = centres_x + b.x - a.x, dy = centres_y + b.y - a.y;
+  const double length = std::sqrt(dx * dx + dy * dy);
+  if (!(length > 0)) return 0;
+  const auto ux = static_cast<float>(dx / length), uy = static_cast<float>(dy / length);
+  // With keys u . (p - c_i) for p of i and -u . (q - c_j) for q of j, trading p and q gains when their sum is
+  // above the distance of the centres along u. Keys and the unit vector are rounded at 2^-24, hence 2^-20: a
+  // trade is made only where the energy truly falls, so the same assignment never comes back, and there are
+  // finitely many.
+  const auto apart = static_cast<float>(centres_x * ux + centres_y * uy);
+  const float limit = apart + 0x1p-20f * (a.reach + b.reach + std::abs(apart));
+  if (a.reach + b.reach <= limit) return 0;
+  constexpr float kNone = -std::numeric_limits<float>::infinity();
+  std::uint32_t count_i = a.outer, count_j = b.outer;
+  float most_i = project(cells.x(i), cells.y(i), 0, count_i, a.centre, ux, uy, scratch.keys_i.data(), kNone);
+  float most_j =
+      project(cells.x(j), cells.y(j), 0, count_j, b.centre, -ux, -uy, scratch.keys_j.data(), kNone);
+  // Inner points cannot have larger keys than the inner radius: mostly that leaves them out.
+  if (a.inner > limit - std::max(most_j, b.inner) || b.inner > limit - std::max(most_i, a.inner)) {
+    most_i =
+        project(cells.x(i), cells.y(i), count_i, capacity, a.centre, ux, uy, scratch.keys_i.data(), most_i);
+    most_j =
+        project(cells.x(j), cells.y(j), count_j, capacity, b.centre, -ux, -uy, scratch.keys_j.data(), most_j);
+    count_i = count_j = capacity;
+  }
+  if (most_i + most_j <= limit) return 0;
+  collect(scratch.keys_i, count_i, limit - most_j, scratch.from_i);
+  collect(scratch.keys_j, count_j, limit - most_i, scratch.from_j);
+  return trade(cells, i, j, limit, scratch);
+}
+
+}  // namespace capcon
