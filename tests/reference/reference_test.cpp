@@ -31,22 +31,28 @@ Scene still_life() {
 
 TEST(Reference, TheSampleAddressesAreAsAgreed) {
   // Under a half plane the visibility of a sample is a sign of its direction: recompute pixels from the
-  // sampler's bits. The wall stands just beside every point seen, at +x of it; the normal is (0, 1, 0), hence
-  // the frame: t = (1, 0, 0), bt = (0, 0, -1); so a sample is visible if its x is negative, that is, u < 1/2
-  // on the concentric map.
-  Builder b(5, 3);
-  test::floor(b, 1e5f).quad({1e-3f, 0, -1e5f}, {0, 1e5f, 0}, {0, 0, 2e5f});
-  b.camera({0, 1, 0}, {0, -1, 0});
+  // sampler's bits. The normal is (0, 1, 0), hence the frame t = (1, 0, 0), bt = (0, 0, -1). A wall just
+  // beside every point seen, at +x, leaves the samples with disk x < 0, that is u < 1/2; one at +z those with
+  // disk y > 0, that is v >= 1/2.
   AmbientOcclusionJob job = job_of(PixelPosition::centre);
   job.seed = 99;
   const auto sampler = make_sampler(job.sampler, job.samples, job.seed);
-  const Image image = Reference(b.scene).render(job).image;
-  for (std::uint32_t y = 0; y < 3; ++y) {
-    for (std::uint32_t x = 0; x < 5; ++x) {
-      int visible = 0;
-      for (std::uint32_t i = 0; i < job.samples; ++i)
-        visible += sampler->sample(y * 5 + x, i, 0).x < 0x80000000u;
-      EXPECT_NEAR(image.at(int(x), int(y), 0), visible / 16.0, 1e-7) << x << " " << y;
+  for (const bool at_x : {true, false}) {
+    Builder b(5, 3);
+    test::floor(b, 1e5f);
+    if (at_x) b.quad({1e-3f, 0, -1e5f}, {0, 1e5f, 0}, {0, 0, 2e5f});
+    if (!at_x) b.quad({-1e5f, 0, 1e-3f}, {0, 1e5f, 0}, {2e5f, 0, 0});
+    b.camera({0, 1, 0}, {0, -1, 0});
+    const Image image = Reference(b.scene).render(job).image;
+    for (std::uint32_t y = 0; y < 3; ++y) {
+      for (std::uint32_t x = 0; x < 5; ++x) {
+        int visible = 0;
+        for (std::uint32_t i = 0; i < job.samples; ++i) {
+          const FixedPoint p = sampler->sample(y * 5 + x, i, 0);
+          visible += at_x ? p.x < 0x80000000u : p.y >= 0x80000000u;
+        }
+        EXPECT_EQ(image.at(int(x), int(y), 0), float(visible / 16.0)) << at_x << " " << x << " " << y;
+      }
     }
   }
 }
