@@ -19,6 +19,13 @@ struct GeneratorOptions {
 };
 
 /// n points of the named method. InputError for an unknown name (with the names there are) or n = 0.
+/// random     independent, uniform
+/// jittered   one point in each of n strata of equal area, rows of nearly square cells (any n: rows may
+/// differ by one) sobol      the first n points of the (0,2)-sequence, unscrambled: the seed changes nothing
+/// sobol-xor  the same with one random digit (XOR) scrambling a dimension
+/// sobol-owen the same with Owen's nested uniform scrambling, each dimension on its own
+/// halton     radical inverses in bases 2 and 3: the seed changes nothing
+/// ccvt       capacity-constrained, by swaps: see ccvt.h
 Points generate(std::string_view method, const GeneratorOptions& options);
 
 }  // namespace capcon

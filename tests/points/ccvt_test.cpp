@@ -226,8 +226,9 @@ TEST(Ccvt, AnyCountAnyCapacity) {
 }
 
 TEST(Ccvt, EnergyFallsToTheKnownValues) {
-  // Energy of the discrete cells above that of the ordinary ones: about 1/K of it, the spread of a space point's own
-  // cell. Means of three seeds with the 2009 program: 1.0731 at K = 64, 1.0582 at K = 256 (n = 1024).
+  // Energy of the discrete cells above that of the ordinary ones: about 1/K of it, the spread of a space
+  // point's own cell. Means of three seeds with the 2009 program: 1.0731 at K = 64, 1.0582 at K = 256 (n =
+  // 1024).
   for (const auto& [k, known] : {std::pair(64u, 1.0731), std::pair(256u, 1.0582)}) {
     double energy = 0, delta = 0;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
