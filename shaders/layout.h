@@ -1,13 +1,26 @@
-// Every number that both sides use, compiled by g++ and by glslang. Sizes are asserted in tests.
+// Every binding, push constant and constant that both sides use, compiled by g++ and by glslang. Tests assert the sizes.
 #ifndef CAPCON_LAYOUT_H
 #define CAPCON_LAYOUT_H
 
 #ifdef __cplusplus
-#define CAPCON_CONST inline constexpr unsigned
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 namespace capcon::layout {
+using uint = std::uint32_t;
+using glm::uvec2;
+using glm::uvec4;
+using glm::vec2;
+using glm::vec4;
+#define CAPCON_CONST inline constexpr uint
 #else
 #define CAPCON_CONST const uint
 #endif
+
+// Lanes of a workgroup: a multiple of every subgroup size there is.
+CAPCON_CONST kGroupSize = 64u;
 
 // Sampler ids: SamplerTables::id and the specialisation constant of the kernels.
 CAPCON_CONST kSamplerRandom = 0u;
@@ -16,6 +29,61 @@ CAPCON_CONST kSamplerSobolXor = 2u;
 CAPCON_CONST kSamplerSobolOwen = 3u;
 CAPCON_CONST kSamplerCcvt = 4u;
 CAPCON_CONST kSamplerCapcon = 5u;
+
+// Specialisation constants.
+CAPCON_CONST kSpecSampler = 0u;      // a sampler id
+CAPCON_CONST kSpecStackSize = 1u;    // entries of the traversal stack: the depth of the scene's tree
+CAPCON_CONST kSpecQuadrics = 2u;     // 1: the scene has spheres or disks
+CAPCON_CONST kSpecJittered = 3u;     // 1: image samples lie at points of the sampler, 0: at pixel centres
+
+// Bindings of every kernel; those that a kernel does not name are left out of its layout.
+CAPCON_CONST kBindNodes = 0u;       // data texels: four a BVH node
+CAPCON_CONST kBindPrimitives = 1u;  // data texels: three a primitive
+CAPCON_CONST kBindQuadrics = 2u;    // data texels: seven a sphere or disk
+CAPCON_CONST kBindSampler = 3u;     // data texels: the sampler's table
+CAPCON_CONST kBindSurfaces = 4u;    // what each pixel sees: two texels (data texels where read, storage where written)
+CAPCON_CONST kBindCounts = 5u;      // visible rays a pixel, storage
+CAPCON_CONST kBindPoints = 6u;      // sample points as bits, storage (the test kernel's output)
+
+// Ids in a primitive's first texel (word 3): triangles count from 0, quadrics carry this bit and their index.
+CAPCON_CONST kQuadricBit = 0x80000000u;
+CAPCON_CONST kNoPrimitive = 0xffffffffu;
+// Quadric kinds, in the first word of the last texel of a quadric.
+CAPCON_CONST kQuadricSphere = 0u;
+CAPCON_CONST kQuadricDisk = 1u;
+
+// The tree's place: grid coordinates are (p - origin) * scale.
+struct TreeConstants {
+  vec4 grid_origin;
+  vec4 grid_scale;
+};
+
+// 128 bytes, the most that every device takes: the fourth words of the vectors carry counters.
+struct PrimaryConstants {
+  TreeConstants tree;  // grid_origin.w: unused; grid_scale.w: unused
+  vec4 eye;            // camera position; w: image width in pixels
+  vec4 corner;         // direction through film position (0, 0)
+  vec4 across;         // change of direction a pixel to the right
+  vec4 down;           // change of direction a pixel downwards
+  uvec4 words;         // SamplerTables::constants
+  uint seed;
+  uint count;
+  uint first_pixel;
+  uint sample_index;   // jittered: which sample of the pixel
+};
+
+struct OcclusionConstants {
+  TreeConstants tree;
+  uvec4 words;        // SamplerTables::constants
+  uint seed;
+  uint count;
+  uint first_pixel;
+  uint pixel_count;   // pixels of this batch
+  uint first_sample;  // of the samples first_sample ... first_sample + samples - 1
+  uint samples;
+  float radius;
+  uint group_stride;  // coprime to the number of groups, both below 2^16: spreads the work over the driver's threads
+};
 
 #ifdef __cplusplus
 }  // namespace capcon::layout

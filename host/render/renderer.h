@@ -5,10 +5,13 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "sampling/sampler.h"
 #include "scene/job.h"
 #include "scene/scene.h"
 
 namespace capcon {
+
+struct RendererState;
 
 struct RendererOptions {
   /// "best", "lavapipe", a number as `capcon info` lists it, or part of a device's name.
@@ -28,14 +31,16 @@ class Renderer {
   /// `on_progress(fraction)` is called between batches. Same job, same device: same bits.
   RenderResult render(const AmbientOcclusionJob& job, const std::function<void(double)>& on_progress = {});
 
+  /// The device's own points of `sampler` for pixels 0 ... pixels - 1, `sampler.count()` each: for tests against the host's.
+  std::vector<FixedPoint> sample_points(const Sampler& sampler, std::uint32_t pixels, std::uint32_t dimension);
+
   /// Name, driver, Vulkan version, fetch variant, as JSON for reports.
   nlohmann::json device_info() const;
   /// Seconds spent in the constructor, by stage (build, upload).
   const Timings& setup() const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<RendererState> state_;
 };
 
 }  // namespace capcon

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <string>
+
+#include "gpu/instance.h"
+
+namespace capcon::gpu {
+
+/// A logical device with one compute queue. Not copyable; outlives what is made on it.
+class Device {
+ public:
+  Device(const Instance& instance, const DeviceDescription& description);
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+  ~Device();
+
+  VkDevice handle() const { return handle_; }
+  VkQueue queue() const { return queue_; }
+  VkCommandPool command_pool() const { return command_pool_; }
+  const DeviceDescription& description() const { return description_; }
+  bool is_cpu() const { return description_.kind == "cpu"; }
+  double timestamp_seconds() const { return timestamp_seconds_; }
+
+  /// Index of a memory type in `allowed` with all of `flags`; the first that also has `wished`, if any. Failure if none.
+  std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags flags, VkMemoryPropertyFlags wished) const;
+
+ private:
+  DeviceDescription description_;
+  VkDevice handle_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  VkCommandPool command_pool_ = VK_NULL_HANDLE;
+  VkPhysicalDeviceMemoryProperties memory_{};
+  double timestamp_seconds_ = 0;
+};
+
+}  // namespace capcon::gpu

@@ -1,0 +1,154 @@
+#include "render/ambient_occlusion.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "base/error.h"
+
+namespace capcon {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// Lanes of one dispatch: a fifth of a second on a slow CPU device, far below any driver's watchdog.
+constexpr std::uint64_t kBatchLanes = 1 << 19;
+
+/// A stride that is coprime to the number of groups and near its golden section: neighbours end up far apart.
+std::uint32_t spreading_stride(std::uint32_t groups) {
+  auto stride = std::max(1u, static_cast<std::uint32_t>(std::lround(groups * 0.61803398875)));
+  while (std::gcd(stride, groups) != 1) ++stride;
+  return stride;
+}
+
+std::uint32_t groups_for(std::uint64_t lanes) {
+  return static_cast<std::uint32_t>((lanes + layout::kGroupSize - 1) / layout::kGroupSize);
+}
+
+glm::vec4 with_word(glm::dvec3 v, std::uint32_t w) { return {glm::vec3(v), std::bit_cast<float>(w)}; }
+
+/// One job under way.
+class Pass {
+ public:
+  Pass(RendererState& state, const AmbientOcclusionJob& job, const std::function<void(double)>& on_progress)
+      : s_(state), job_(job), on_progress_(on_progress), pixels_(state.film.width * state.film.height) {}
+
+  RenderResult run() {
+    auto start = Clock::now();
+    const auto sampler = make_sampler(job_.sampler, job_.samples, job_.seed);
+    tables_ = sampler->tables();
+    s_.set_sampler(tables_);
+    result_.timings.wall["points"] = seconds_since(start);
+    const bool jittered = job_.position == PixelPosition::jittered;
+    // Rays from pixel centres need no sampler: one kernel serves all.
+    primary_ = &s_.kernel("primary", jittered ? tables_.id : layout::kSamplerRandom, jittered);
+    occlusion_ = &s_.kernel("occlusion", tables_.id, false);
+    result_.timings.wall["compile"] = s_.kernels.take_compile_seconds();
+    start = Clock::now();
+    s_.counts.clear();
+    if (jittered) {
+      for (std::uint32_t i = 0; i < job_.samples; ++i) {
+        primary(i);
+        occlusion(i, 1);
+      }
+    } else {
+      primary(0);
+      occlusion(0, job_.samples);
+    }
+    result_.timings.wall["trace"] = seconds_since(start);
+    resolve();
+    result_.rays = std::uint64_t(pixels_) * job_.samples;
+    result_.device = s_.description.name;
+    return std::move(result_);
+  }
+
+ private:
+  void primary(std::uint32_t sample_index) {
+    layout::PrimaryConstants push{};
+    push.tree = s_.tree;
+    push.eye = with_word(s_.view.eye, static_cast<std::uint32_t>(s_.film.width));
+    push.across = with_word(s_.view.across, 0);
+    push.down = with_word(s_.view.down, 0);
+    push.words = words();
+    push.seed = job_.seed;
+    push.count = job_.samples;
+    push.sample_index = sample_index;
+    for (std::uint64_t first = 0; first < pixels_; first += kBatchLanes) {
+      const auto batch = static_cast<std::uint32_t>(std::min<std::uint64_t>(kBatchLanes, pixels_ - first));
+      push.first_pixel = static_cast<std::uint32_t>(first);
+      push.corner = with_word(s_.view.corner, batch);
+      submit(*primary_, &push, groups_for(batch), "primary");
+    }
+  }
+
+  void occlusion(std::uint32_t first_sample, std::uint32_t samples) {
+    layout::OcclusionConstants push{};
+    push.tree = s_.tree;
+    push.words = words();
+    push.seed = job_.seed;
+    push.count = job_.samples;
+    push.radius = static_cast<float>(std::min(job_.radius, 3e38));
+    const std::uint32_t part = std::min<std::uint64_t>(samples, kBatchLanes);
+    const auto batch_pixels = static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kBatchLanes / part));
+    for (std::uint32_t from = 0; from < samples; from += part) {
+      push.first_sample = first_sample + from;
+      push.samples = std::min(part, samples - from);
+      for (std::uint32_t first = 0; first < pixels_; first += batch_pixels) {
+        push.first_pixel = first;
+        push.pixel_count = std::min(batch_pixels, pixels_ - first);
+        const std::uint32_t groups = groups_for(std::uint64_t(push.pixel_count) * push.samples);
+        push.group_stride = spreading_stride(groups);
+        submit(*occlusion_, &push, groups, "occlusion");
+        done_ += static_cast<double>(push.pixel_count) * push.samples;
+        if (on_progress_) on_progress_(done_ / (static_cast<double>(pixels_) * job_.samples));
+      }
+    }
+  }
+
+  void submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups, const std::string& stage) {
+    gpu::Commands commands(s_.device);
+    commands.dispatch(kernel, push, groups, stage);
+    commands.submit_and_wait();
+    for (const auto& time : commands.times()) result_.timings.device[time.stage] += time.seconds;
+  }
+
+  /// Counts become fractions: one division a pixel, on the host, from integers that no order of adding can change.
+  void resolve() {
+    const auto start = Clock::now();
+    std::vector<std::uint32_t> counts(pixels_);
+    s_.counts.download(counts.data(), 4 * counts.size());
+    result_.image = Image(s_.film.width, s_.film.height, 1);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      result_.image.pixels[i] = static_cast<float>(static_cast<double>(counts[i]) / job_.samples);
+    }
+    result_.timings.wall["resolve"] = seconds_since(start);
+  }
+
+  glm::uvec4 words() const {
+    return {tables_.constants[0], tables_.constants[1], tables_.constants[2], tables_.constants[3]};
+  }
+
+  RendererState& s_;
+  const AmbientOcclusionJob& job_;
+  const std::function<void(double)>& on_progress_;
+  std::uint32_t pixels_;
+  SamplerTables tables_;
+  gpu::Kernel* primary_ = nullptr;
+  gpu::Kernel* occlusion_ = nullptr;
+  RenderResult result_;
+  double done_ = 0;
+};
+
+}  // namespace
+
+RenderResult render_ambient_occlusion(RendererState& state, const AmbientOcclusionJob& job,
+                                      const std::function<void(double)>& on_progress) {
+  if (job.samples == 0) throw InputError("the number of samples must be at least 1");
+  if (!(job.radius > 0)) throw InputError("the occlusion radius must be above 0 (or inf)");
+  return Pass(state, job, on_progress).run();
+}
+
+}  // namespace capcon

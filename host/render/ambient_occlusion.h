@@ -1,0 +1,15 @@
+#pragma once
+
+#include <functional>
+
+#include "render/renderer_state.h"
+#include "scene/job.h"
+
+namespace capcon {
+
+/// Ambient occlusion on the device: a primary ray a pixel (or one a sample where samples are jittered), then one occlusion
+/// ray a sample, in batches of a fraction of a second.
+RenderResult render_ambient_occlusion(RendererState& state, const AmbientOcclusionJob& job,
+                                      const std::function<void(double)>& on_progress);
+
+}  // namespace capcon

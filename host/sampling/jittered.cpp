@@ -1,0 +1,48 @@
+#include <cmath>
+
+#include "base/hash.h"
+#include "layout.h"
+#include "sampling/address.h"
+#include "sampling/bits.h"
+#include "sampling/samplers.h"
+
+namespace capcon {
+namespace {
+
+/// The largest divisor of n that is at most its root.
+std::uint32_t rows_of(std::uint32_t n) {
+  auto rows = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(n)));
+  while (rows > 1 && n % rows != 0) --rows;
+  return std::max(rows, 1u);
+}
+
+/// (cell + word / 2^32) / cells as 0.32 fixed point, rounded down; exact in 64 bits.
+std::uint32_t in_stratum(std::uint32_t cell, std::uint32_t cells, std::uint32_t word) {
+  return static_cast<std::uint32_t>(((static_cast<std::uint64_t>(cell) << 32) + word) / cells);
+}
+
+class JitteredSampler final : public Sampler {
+ public:
+  JitteredSampler(std::uint32_t count, std::uint32_t seed)
+      : Sampler("jittered", count, seed), rows_(rows_of(count)), columns_(count / rows_), stride_(coprime_stride(count)) {}
+
+  FixedPoint sample(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const override {
+    const auto words = pcg4d(pixel, index, dimension, seed());
+    std::uint32_t cell = index;
+    if (dimension > 0) cell = shuffle_index(index, count(), stride_, set_words(seed(), pixel, dimension)[2]);
+    return {in_stratum(cell % columns_, columns_, words[0]), in_stratum(cell / columns_, rows_, words[1])};
+  }
+
+  SamplerTables tables() const override { return {layout::kSamplerJittered, {columns_, rows_, stride_, 0}, {}}; }
+
+ private:
+  std::uint32_t rows_, columns_, stride_;
+};
+
+}  // namespace
+
+std::unique_ptr<Sampler> make_jittered_sampler(std::uint32_t count, std::uint32_t seed) {
+  return std::make_unique<JitteredSampler>(count, seed);
+}
+
+}  // namespace capcon

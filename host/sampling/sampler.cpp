@@ -1,0 +1,52 @@
+#include "sampling/sampler.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+
+#include "base/error.h"
+#include "sampling/bits.h"
+#include "sampling/samplers.h"
+
+namespace capcon {
+
+namespace {
+using Maker = std::unique_ptr<Sampler> (*)(std::uint32_t, std::uint32_t);
+
+// The one place to name a new sampler; its id is in shaders/layout.h.
+const std::vector<std::pair<std::string, Maker>>& makers() {
+  static const std::vector<std::pair<std::string, Maker>> all = {
+      {"random", make_random_sampler},       {"jittered", make_jittered_sampler}, {"sobol-xor", make_sobol_xor_sampler},
+      {"sobol-owen", make_sobol_owen_sampler}, {"ccvt", make_ccvt_sampler},         {"capcon", make_capcon_sampler}};
+  return all;
+}
+}  // namespace
+
+std::uint32_t coprime_stride(std::uint32_t count) {
+  std::uint32_t stride = std::max(1u, static_cast<std::uint32_t>(std::lround(count * 0.61803398875)));
+  while (std::gcd(stride, count) != 1) ++stride;
+  return stride;
+}
+
+const std::vector<std::string>& sampler_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const auto& [name, maker] : makers()) all.push_back(name);
+    return all;
+  }();
+  return names;
+}
+
+std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count, std::uint32_t seed) {
+  if (count == 0) throw InputError("the number of samples must be at least 1");
+  for (const auto& [known, maker] : makers()) {
+    if (known == name) return maker(count, seed);
+  }
+  throw InputError(fmt::format("there is no sampler \"{}\"; choose one of: {}", name, fmt::join(sampler_names(), " ")));
+}
+
+}  // namespace capcon

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+
+#include "sampling/sampler.h"
+
+namespace capcon {
+
+// One maker a sampler: (count of points a set, seed).
+
+/// Independent uniform points.
+std::unique_ptr<Sampler> make_random_sampler(std::uint32_t count, std::uint32_t seed);
+/// One random point in each of a x b equal strata, a b = count, as square as count's divisors allow.
+std::unique_ptr<Sampler> make_jittered_sampler(std::uint32_t count, std::uint32_t seed);
+/// The Sobol' (0,2)-sequence under random digit (XOR) scrambling: the text's baseline.
+std::unique_ptr<Sampler> make_sobol_xor_sampler(std::uint32_t count, std::uint32_t seed);
+/// The same sequence under hashed Owen scrambling: today's baseline.
+std::unique_ptr<Sampler> make_sobol_owen_sampler(std::uint32_t count, std::uint32_t seed);
+/// One untiled capacity-constrained set of `count` points, with a Cranley-Patterson rotation a set.
+std::unique_ptr<Sampler> make_ccvt_sampler(std::uint32_t count, std::uint32_t seed);
+/// The shipped corner tiles: a stochastic toroidal tiling and a rotation a set.
+std::unique_ptr<Sampler> make_capcon_sampler(std::uint32_t count, std::uint32_t seed);
+
+}  // namespace capcon

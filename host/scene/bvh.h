@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+namespace capcon {
+
+/// An axis-aligned box, in double so that rounding to the grid is outward for sure.
+struct Box {
+  glm::dvec3 low{1e300};
+  glm::dvec3 high{-1e300};
+
+  void add(const Box& b) {
+    low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+    high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
+  }
+  void add(glm::dvec3 p) { add(Box{p, p}); }
+  /// Half the surface; 0 for an empty box.
+  double half_area() const;
+};
+
+/// A node of the binary tree that the builder makes: inner nodes have `count` 0 and children at `first` and
+/// `first + 1`; leaves hold the primitives order[first ... first + count - 1].
+struct BinaryNode {
+  Box box;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+struct BinaryTree {
+  std::vector<BinaryNode> nodes;     ///< root at 0; siblings side by side; unused gaps may lie between
+  std::vector<std::uint32_t> order;  ///< primitive indices in leaf order
+};
+
+/// Surface-area heuristic over 16 bins an axis (Wald 2007), leaves of at most 4, all threads; the same tree
+/// for any number of them. At least one box.
+BinaryTree build_binary_tree(std::span<const Box> boxes);
+
+/// The tree that the device walks: four children a node, in 64 bytes.
+///   word  0- 3   x planes of children 0-3: low | high << 16, in grid coordinates, rounded outward
+///   word  4-11   y planes, z planes
+///   word 12      index of the first inner child << 4 | mask of inner children (they are first and
+///   contiguous) word 13      slot of the first primitive of this node's leaves word 14, 15  masks of each
+///   child's primitives, counted from that slot: child 0 | child 1 << 16, child 2 | child 3 << 16
+/// An absent child has low > high in all axes.
+struct Bvh {
+  glm::dvec3 grid_origin{0};
+  glm::dvec3 grid_scale{1};          ///< grid coordinates = (p - origin) * scale
+  std::vector<glm::uvec4> texels;    ///< four a node
+  std::vector<std::uint32_t> order;  ///< primitive indices in slot order
+  std::uint32_t stack_entries = 1;   ///< most groups of siblings that wait at once
+  std::size_t node_count() const { return texels.size() / 4; }
+};
+
+/// Collapses a binary tree greedily by area and quantises the boxes to one grid of 16 bits an axis.
+Bvh collapse(const BinaryTree& tree);
+
+inline Bvh build_bvh(std::span<const Box> boxes) {
+  return collapse(build_binary_tree(boxes));
+}
+
+}  // namespace capcon

@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scene/bvh.h"
+
+namespace capcon {
+namespace {
+
+constexpr double kCells = 65535;
+// Boxes grow by this much of a cell before they are rounded outward: more than the device's rounding of a
+// grid coordinate.
+constexpr double kMargin = 1.0 / 64;
+
+struct Child {
+  std::uint32_t node;  // of the binary tree
+  bool inner;
+};
+
+struct Pending {
+  std::uint32_t binary;  // node of the binary tree
+  std::uint32_t wide;    // where it goes
+};
+
+class Collapser {
+ public:
+  explicit Collapser(const BinaryTree& tree) : tree_(tree) {
+    const Box& box = tree.nodes[0].box;
+    const glm::dvec3 extent = box.high - box.low;
+    const double largest = std::max({extent.x, extent.y, extent.z, 1e-30});
+    for (int a = 0; a < 3; ++a) {
+      const double e = std::max(extent[a], largest * 1e-6);
+      bvh_.grid_scale[a] = static_cast<float>((kCells - 4) / e);
+      // Rounded to float, as the device has it; the two spare cells on either side take up the rounding.
+      bvh_.grid_origin[a] = static_cast<float>(box.low[a] - 2.0 * e / (kCells - 4));
+    }
+    bvh_.texels.resize(4);
+    std::vector<Pending> stack{{0, 0}};
+    while (!stack.empty()) {
+      const Pending next = stack.back();
+      stack.pop_back();
+      emit(next, stack);
+    }
+    bvh_.stack_entries = 0;
+    measure_stack();
+  }
+
+  Bvh take() { return std::move(bvh_); }
+
+ private:
+  bool is_inner(std::uint32_t n) const { return tree_.nodes[n].count == 0; }
+
+  /// Up to four descendants of `binary`: the largest inner one is opened until there are four.
+  std::vector<Child> children_of(std::uint32_t binary) const {
+    if (!is_inner(binary)) return {{binary, false}};
+    std::vector<Child> children;
+    const auto open = [&](std::uint32_t n) {
+      for (std::uint32_t c = tree_.nodes[n].first; c < tree_.nodes[n].first + 2; ++c)
+        children.push_back({c, is_inner(c)});
+    };
+    open(binary);
+    while (children.size() < 4) {
+      auto largest = children.end();
+      double area = -1;
+      for (auto c = children.begin(); c != children.end(); ++c) {
+        if (c->inner && tree_.nodes[c->node].box.half_area() > area) {
+          area = tree_.nodes[c->node].box.half_area();
+          largest = c;
+        }
+      }
+      if (largest == children.end()) break;
+      const std::uint32_t opened = largest->node;
+      children.erase(largest);
+      open(opened);
+    }
+    std::stable_partition(children.begin(), children.end(), [](const Child& c) { return c.inner; });
+    return children;
+  }
+
+  std::uint32_t plane_pair(const Box& box, int axis) const {
+    const double scale = bvh_.grid_scale[axis], origin = bvh_.grid_origin[axis];
+    const double low = std::floor((box.low[axis] - origin) * scale - kMargin);
+    const double high = std::ceil((box.high[axis] - origin) * scale + kMargin);
+    const auto clamp = [](double v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0, kCells)); };
+    return clamp(low) | clamp(high) << 16;
+  }
+
+  void emit(Pending at, std::vector<Pending>& stack) {
+    const std::vector<Child> children = children_of(at.binary);
+    const auto inner = static_cast<std::uint32_t>(
+        std::count_if(children.begin(), children.end(), [](auto& c) { return c.inner; }));
+    const auto first_inner = static_cast<std::uint32_t>(bvh_.node_count());
+    const auto first_slot = static_cast<std::uint32_t>(bvh_.order.size());
+    bvh_.texels.resize(bvh_.texels.size() + 4 * inner);
+    std::array<glm::uvec4, 4> words;
+    // An absent child: low planes above high ones, so that no interval is ever open.
+    words[0] = words[1] = words[2] = glm::uvec4(0x0000ffffu);
+    std::array<std::uint32_t, 4> masks{};
+    for (std::uint32_t c = 0; c < children.size(); ++c) {
+      const BinaryNode& node = tree_.nodes[children[c].node];
+      for (int axis = 0; axis < 3; ++axis) words[axis][c] = plane_pair(node.box, axis);
+      if (children[c].inner) {
+        stack.push_back({children[c].node, first_inner + c});
+        continue;
+      }
+      const auto from = static_cast<std::uint32_t>(bvh_.order.size()) - first_slot;
+      masks[c] = ((1u << node.count) - 1u) << from;
+      bvh_.order.insert(bvh_.order.end(), tree_.order.begin() + node.first,
+                        tree_.order.begin() + node.first + node.count);
+    }
+    words[3] = {first_inner << 4 | ((1u << inner) - 1u), first_slot, masks[0] | masks[1] << 16,
+                masks[2] | masks[3] << 16};
+    for (int k = 0; k < 4; ++k) bvh_.texels[4 * at.wide + k] = words[k];
+  }
+
+  /// The deepest stack a walk can need: a node with siblings that wait puts one entry under all that lies
+  /// below it.
+  void measure_stack() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> walk{{0, 0}};
+    while (!walk.empty()) {
+      const auto [node, waiting] = walk.back();
+      walk.pop_back();
+      const std::uint32_t links = bvh_.texels[4 * node + 3].x;
+      std::uint32_t inner = 0;
+      while (inner < 4 && (links >> inner & 1u) != 0) ++inner;
+      const std::uint32_t below = waiting + (inner > 1 ? 1 : 0);
+      bvh_.stack_entries = std::max(bvh_.stack_entries, below);
+      for (std::uint32_t c = 0; c < inner; ++c) walk.emplace_back((links >> 4) + c, below);
+    }
+    bvh_.stack_entries = std::max(bvh_.stack_entries, 1u);
+  }
+
+  const BinaryTree& tree_;
+  Bvh bvh_;
+};
+
+}  // namespace
+
+Bvh collapse(const BinaryTree& tree) {
+  return Collapser(tree).take();
+}
+
+}  // namespace capcon

@@ -1,0 +1,38 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Ambient occlusion: one ray a thread, cosine-weighted, from what a pixel sees; counts those that meet nothing within the
+// radius. Reads surfaces, the tree and the sampler's table; adds to one counter a pixel (integers: any order, same bits).
+#include "layout.h"
+
+layout(local_size_x = kGroupSize) in;
+layout(push_constant, std430) uniform Push { OcclusionConstants push; };
+
+#include "fetch.glsl"
+#include "sampling/sampler.glsl"
+#include "sampling/warp.glsl"
+#include "tracing/bvh.glsl"
+
+DATA_TEXELS(kBindSurfaces, surface_texels);
+layout(set = 0, binding = kBindCounts, std430) buffer Counts { uint counts[]; };
+
+void main() {
+  // The driver may hand each of its threads one contiguous piece: a stride coprime to the number of groups spreads the work.
+  uint group = (gl_WorkGroupID.x * push.group_stride) % gl_NumWorkGroups.x;
+  uint local = group * kGroupSize + gl_LocalInvocationIndex;
+  uint pixel_in_batch = local / max(push.samples, 1u);  // 0 samples: the warm-up run
+  uint index = push.first_sample + local - pixel_in_batch * push.samples;
+  bool inside = pixel_in_batch < push.pixel_count;
+  uint pixel = push.first_pixel + (inside ? pixel_in_batch : 0u);
+  uvec4 at = FETCH(surface_texels, pixel * 2u);
+  uvec4 facing = FETCH(surface_texels, pixel * 2u + 1u);
+  bool live = inside && facing.w != 0u;
+
+  vec2 u = unit_floats(sample_bits(push.words, push.seed, push.count, pixel, index, 0u));
+  Ray ray;
+  ray.origin = uintBitsToFloat(at.xyz);
+  ray.direction = normalize(to_frame(cosine_hemisphere(u), uintBitsToFloat(facing.xyz)));
+  ray.t_max = push.radius;
+  ray.skip = at.w;
+  Hit hit = traverse(true, ray, push.tree, live);
+  if (live && hit.slot == kNoPrimitive) atomicAdd(counts[pixel], 1u);
+}
