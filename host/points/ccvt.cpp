@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
+#include <numeric>
 
 #include "base/error.h"
 #include "points/ccvt_optimise.h"
@@ -30,28 +33,58 @@ glm::dvec2 place_of(const CcvtSite& site) {
   return {p.x < 1 ? p.x : 0, p.y < 1 ? p.y : 0};  // a tiny negative coordinate rounds up to 1
 }
 
+/// The capacities that are gone through, each a start for the next.
+std::vector<std::uint32_t> capacities_up_to(std::uint32_t capacity) {
+  std::vector<std::uint32_t> list{capacity};
+  while (list.front() > 16) list.insert(list.begin(), list.front() / 4);
+  return list;
+}
+
+/// How much seems done: the passes at one capacity end when the exchanges, which fall about geometrically,
+/// are gone.
+class Estimate {
+ public:
+  Estimate(const std::vector<std::uint32_t>& capacities, const CcvtOptions& options)
+      : options_(options), total_(std::accumulate(capacities.begin(), capacities.end(), 0.0)) {}
+  void next_capacity(std::uint32_t capacity) {
+    before_ += share_;
+    share_ = capacity / total_;
+    first_ = 0;
+    inner_ = 0;
+  }
+  void pass(std::uint64_t swaps) {
+    const double left = std::log2(1.0 + static_cast<double>(swaps));
+    if (first_ == 0) first_ = left;
+    if (first_ > 0) inner_ = std::max(inner_, 1 - left / first_);
+    if (options_.on_progress) options_.on_progress(before_ + share_ * inner_);
+  }
+
+ private:
+  const CcvtOptions& options_;
+  double total_, before_ = 0, share_ = 0, first_ = 0, inner_ = 0;
+};
+
 }  // namespace
 
 CcvtResult ccvt(const CcvtOptions& options) {
   check(options);
-  // A coarse capacity is but a start for the next: few exchanges a site are near enough to its end.
-  std::vector<std::uint32_t> capacities{options.capacity};
-  while (capacities.back() > 16) capacities.push_back(capacities.back() / 4);
+  const std::vector<std::uint32_t> capacities = capacities_up_to(options.capacity);
+  Estimate estimate(capacities, options);
   CcvtResult result;
-  CcvtState state = random_cells(options.sites, capacities.back(), options.seed);
-  const auto run = [&](std::uint64_t enough, const std::function<void(std::uint64_t)>& on_pass) {
-    const CcvtEffort effort = optimise(state.cells, enough, on_pass);
+  CcvtState state = random_cells(options.sites, capacities.front(), options.seed);
+  for (const std::uint32_t capacity : capacities) {
+    const bool last = capacity == options.capacity;
+    if (capacity != capacities.front()) state = refined_cells(state, capacity, options.seed);
+    estimate.next_capacity(capacity);
+    // A coarse capacity is but a start for the next: few exchanges a site are near enough to its end.
+    const std::uint64_t enough = last ? 1 : 1 + state.cells.size() * capacity / 64;
+    const CcvtEffort effort = optimise(state.cells, enough, [&](std::uint64_t swaps) {
+      if (last && options.on_pass) options.on_pass(state.cells.energy() / kHexagonEnergy, swaps);
+      estimate.pass(swaps);
+    });
     result.passes += effort.passes;
     result.swaps += effort.swaps;
-  };
-  for (; capacities.size() > 1; capacities.pop_back()) {
-    run(1 + state.cells.size() * state.cells.capacity() / 64, {});
-    state = refined_cells(state, capacities[capacities.size() - 2], options.seed);
   }
-  const auto report = [&](std::uint64_t swaps) {
-    options.on_pass(state.cells.energy() / kHexagonEnergy, swaps);
-  };
-  run(1, options.on_pass ? std::function<void(std::uint64_t)>(report) : nullptr);
   result.energy = state.cells.energy() / kHexagonEnergy;
   for (const CcvtSite& site : state.cells.sites) result.points.push_back(place_of(site));
   return result;

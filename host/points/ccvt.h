@@ -14,6 +14,8 @@ struct CcvtOptions {
   /// Called after each pass at the full capacity (coarser ones come first), may be empty. `energy` as in
   /// CcvtResult; it falls from pass to pass.
   std::function<void(double energy, std::uint64_t swaps)> on_pass;
+  /// Called after each pass at any capacity with the fraction of the work that seems done, may be empty.
+  std::function<void(double fraction)> on_progress;
 };
 
 struct CcvtResult {

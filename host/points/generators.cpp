@@ -94,6 +94,7 @@ const Method kMethods[] = {
        ccvt_options.sites = o.n;
        ccvt_options.capacity = o.capacity;
        ccvt_options.seed = o.seed;
+       ccvt_options.on_progress = o.on_progress;
        return ccvt(ccvt_options).points;
      }},
 };

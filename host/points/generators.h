@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,8 @@ const std::vector<std::string>& generator_names();
 struct GeneratorOptions {
   std::uint32_t n = 1024;
   std::uint64_t seed = 1;
-  std::uint32_t capacity = 1024;  ///< ccvt only
+  std::uint32_t capacity = 1024;                          ///< ccvt only
+  std::function<void(double fraction)> on_progress = {};  ///< ccvt only: how much seems done, may be empty
 };
 
 /// n points of the named method. InputError for an unknown name (with the names there are) or n = 0.

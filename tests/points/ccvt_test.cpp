@@ -209,7 +209,7 @@ TEST(Ccvt, EndsWhereNoPairCanGain) {
 TEST(Ccvt, AnyCountAnyCapacity) {
   for (const std::uint32_t n : {1u, 2u, 3u, 4u, 5u, 16u, 31u}) {
     for (const std::uint32_t k : {1u, 2u, 3u, 17u, 64u, 100u}) {
-      const CcvtResult result = ccvt({n, k, 7, {}});
+      const CcvtResult result = ccvt({n, k, 7, {}, {}});
       ASSERT_EQ(result.points.size(), n);
       EXPECT_TRUE(std::isfinite(result.energy));
       for (const glm::dvec2& p : result.points) {
@@ -220,9 +220,9 @@ TEST(Ccvt, AnyCountAnyCapacity) {
       }
     }
   }
-  EXPECT_THROW(ccvt({0, 8, 1, {}}), InputError);
-  EXPECT_THROW(ccvt({8, 0, 1, {}}), InputError);
-  EXPECT_THROW(ccvt({1u << 20, 1u << 20, 1, {}}), InputError);
+  EXPECT_THROW(ccvt({0, 8, 1, {}, {}}), InputError);
+  EXPECT_THROW(ccvt({8, 0, 1, {}, {}}), InputError);
+  EXPECT_THROW(ccvt({1u << 20, 1u << 20, 1, {}, {}}), InputError);
 }
 
 TEST(Ccvt, EnergyFallsToTheKnownValues) {
@@ -232,16 +232,22 @@ TEST(Ccvt, EnergyFallsToTheKnownValues) {
   for (const auto& [k, known] : {std::pair(64u, 1.0731), std::pair(256u, 1.0582)}) {
     double energy = 0, delta = 0;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      double last = 1e9, discrete = 0;
+      double last = 1e9, discrete = 0, progress = 0;
       std::uint64_t last_swaps = 1;
-      const CcvtResult result = ccvt({1024, k, seed, [&](double e, std::uint64_t swaps) {
+      const CcvtResult result = ccvt({1024, k, seed,
+                                      [&](double e, std::uint64_t swaps) {
                                         EXPECT_LE(e, last);
                                         if (swaps > 0) {
                                           EXPECT_LT(e, last);
                                         }
                                         last = discrete = e;
                                         last_swaps = swaps;
+                                      },
+                                      [&](double fraction) {
+                                        EXPECT_TRUE(fraction >= progress && fraction <= 1);
+                                        progress = fraction;
                                       }});
+      EXPECT_EQ(progress, 1);
       EXPECT_EQ(last_swaps, 0u);
       EXPECT_EQ(discrete, result.energy);
       const Measures m = measure(result.points);
@@ -256,7 +262,8 @@ TEST(Ccvt, EnergyFallsToTheKnownValues) {
 }
 
 TEST(Ccvt, SameSeedSameBits) {
-  const CcvtResult a = ccvt({200, 60, 3, {}}), b = ccvt({200, 60, 3, {}}), c = ccvt({200, 60, 4, {}});
+  const CcvtResult a = ccvt({200, 60, 3, {}, {}}), b = ccvt({200, 60, 3, {}, {}}),
+                   c = ccvt({200, 60, 4, {}, {}});
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.swaps, b.swaps);
   EXPECT_NE(a.points, c.points);
@@ -268,7 +275,7 @@ TEST(Ccvt, HasNoPreferredPlace) {
   constexpr int kStrips = 10, kSets = 60, kSites = 100;
   std::array<std::array<int, kStrips>, 2> count{};
   for (std::uint64_t seed = 0; seed < kSets; ++seed) {
-    for (const glm::dvec2& p : ccvt({kSites, 16, seed, {}}).points) {
+    for (const glm::dvec2& p : ccvt({kSites, 16, seed, {}, {}}).points) {
       ++count[0][static_cast<std::size_t>(p.x * kStrips)];
       ++count[1][static_cast<std::size_t>(p.y * kStrips)];
     }

@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <chrono>
+#include <ctime>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/progress.h"
+#include "cli/verbs.h"
+#include "points/ccvt.h"
+#include "points/generators.h"
+#include "points/measure.h"
+
+namespace capcon::cli {
+namespace {
+
+constexpr std::uint32_t kMostPoints = 100'000'000;  // 1.6 GB
+
+struct Options {
+  std::string method;
+  GeneratorOptions generator;
+  std::uint32_t count = 1;
+  std::string output;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// A whole number in [low, high], said plainly.
+CLI::Validator whole(std::uint64_t low, std::uint64_t high) {
+  return CLI::Validator(
+      [low, high](std::string& text) -> std::string {
+        std::uint64_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high)
+          return {};
+        return fmt::format("\"{}\" is not a whole number from {} to {}", text, low, high);
+      },
+      "");
+}
+
+/// Processor seconds of all threads of this process.
+double cpu_seconds() {
+  std::timespec t{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::vector<Points> make_sets(const Options& options) {
+  std::vector<Points> sets;
+  Progress progress("points", options.count, options.quiet);
+  for (std::uint32_t s = 0; s < options.count; ++s) {
+    GeneratorOptions generator = options.generator;
+    generator.seed += s;
+    generator.on_progress = [&](double fraction) { progress.update(s + fraction); };
+    sets.push_back(generate(options.method, generator));
+    progress.update(s + 1);
+  }
+  return sets;
+}
+
+nlohmann::json to_json(const Points& points) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const glm::dvec2& p : points) list.push_back({p.x, p.y});
+  return list;
+}
+
+void run(const Options& options) {
+  if (!options.output.empty()) check_writable(options.output);
+  const double wall = wall_seconds(), cpu = cpu_seconds();
+  const std::vector<Points> sets = make_sets(options);
+  nlohmann::json seconds = {{"wall", wall_seconds() - wall}, {"cpu", cpu_seconds() - cpu}};
+  if (!options.output.empty()) write_points(options.output, sets);
+  if (!options.json) {
+    if (options.output.empty()) {
+      fmt::print("{}", format_points(sets));
+    } else if (!options.quiet) {
+      const Measures first = measure(sets.front());
+      fmt::print(stderr, "{}: {} x {} points in {:.2f} s, energy {:.4f}, mean distance {:.3f}\n",
+                 options.output, sets.size(), options.generator.n, seconds["wall"].get<double>(),
+                 first.energy, first.delta_mean);
+    }
+    return;
+  }
+  nlohmann::ordered_json result = {{"method", options.method}, {"n", options.generator.n}};
+  result["seed"] = options.generator.seed;
+  if (options.method == "ccvt") result["capacity"] = options.generator.capacity;
+  result["seconds"] = seconds;
+  if (!options.output.empty()) result["output"] = options.output;
+  Measures mean;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const Measures m = measure(sets[s]);
+    const double weight = 1.0 / static_cast<double>(sets.size());
+    mean.n = m.n;
+    mean.delta_min += weight * m.delta_min;
+    mean.delta_mean += weight * m.delta_mean;
+    mean.energy += weight * m.energy;
+    mean.area_sd += weight * m.area_sd;
+    list.push_back({{"seed", options.generator.seed + s}, {"measures", capcon::to_json(m)}});
+    if (options.output.empty()) list.back()["points"] = to_json(sets[s]);
+  }
+  result["measures"] = capcon::to_json(mean);
+  result["sets"] = list;
+  fmt::print("{}\n", result.dump());
+}
+
+}  // namespace
+
+void add_points_verb(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand(
+      "points",
+      "make point sets in the unit square\n\n"
+      "  capcon points ccvt -n 1024 -o points.txt     capacity-constrained points, best quality\n"
+      "  capcon points ccvt -n 4096 --capacity 64     faster, a little less even; points to standard output\n"
+      "  capcon points sobol-owen -n 256 --count 10   ten sets, with seeds 1 to 10\n\n"
+      "Points are text, one \"x y\" a line with '#' between sets (the form of UTK).\n");
+  auto options = std::make_shared<Options>();
+  verb->add_option("method", options->method, fmt::format("one of {}", fmt::join(generator_names(), ", ")))
+      ->required()
+      ->type_name("METHOD");
+  verb->add_option("-n,--points", options->generator.n, "points a set")
+      ->check(whole(1, kMostPoints))
+      ->type_name("N")
+      ->capture_default_str();
+  verb->add_option("-o,--output", options->output, "write to this file")->type_name("FILE");
+  verb->add_option("--capacity", options->generator.capacity,
+                   "space points a site (ccvt): more is more even and slower, try 64 to 1024")
+      ->check(whole(1, std::numeric_limits<std::uint32_t>::max()))
+      ->type_name("K")
+      ->capture_default_str();
+  verb->add_option("--seed", options->generator.seed, "of the first set; each further set has the next")
+      ->check(whole(0, std::numeric_limits<std::uint64_t>::max()))
+      ->type_name("S")
+      ->capture_default_str();
+  verb->add_option("--count", options->count, "how many sets")
+      ->check(whole(1, std::numeric_limits<std::uint32_t>::max()))
+      ->type_name("SETS")
+      ->capture_default_str();
+  verb->add_flag("--json", options->json,
+                 "print one JSON object: what was made, seconds, measures (means over the sets, and of each "
+                 "set), and the "
+                 "points unless they go to a file");
+  verb->add_flag("--quiet", options->quiet, "no progress, no message");
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace capcon::cli
