@@ -10,7 +10,7 @@ DATA_TEXELS(kBindPrimitives, primitive_texels);
 #include "tracing/triangle.glsl"
 #include "tracing/quadric.glsl"
 
-layout(constant_id = kSpecStackSize) const uint kStackSize = 24u;
+#include "tracing/stack.glsl"
 
 struct Hit {
   float t;
@@ -28,9 +28,7 @@ Hit traverse(const bool any, Ray ray, TreeConstants tree, bool live) {
   GridRay g = to_grid(ray, tree);
   RayFrame frame = ray_frame(ray.direction);
   Hit hit = Hit(ray.t_max, kNoPrimitive, vec3(0.0));
-  uint stack[kStackSize];
-  uint next_stack[kStackSize];
-  for (uint i = 0u; i < kStackSize; ++i) stack[i] = kNoGroup;
+  STACK_REGISTERS
   uint node = live ? 0u : kNoNode;
   uint first = 0u;
   uint mask = 0u;  // primitives first + bit that are still to be tested
@@ -82,19 +80,16 @@ Hit traverse(const bool any, Ray ray, TreeConstants tree, bool live) {
       // Down to the nearest child, the others onto the stack; or up to the next sibling of the top group.
       bool push = visiting && found > 1u;
       bool pop = visiting && found == 0u;
-      uint top = stack[0];
+      uint top = s0;
       uint left = top & 3u;
       bool drop = pop && left <= 1u;
+      uint kept = s1;
       uint shorter = (top & 0xffffff00u) | ((top & 0xf0u) >> 2u) | (left - 1u);
-      for (uint i = kStackSize - 1u; i > 0u; --i) {
-        uint below = i + 1u < kStackSize ? stack[i + 1u] : kNoGroup;
-        next_stack[i] = push ? stack[i - 1u] : (drop ? below : stack[i]);
-      }
-      next_stack[0] = push ? siblings : (drop ? stack[1] : (pop ? shorter : top));
+      STACK_SHIFT
+      s0 = push ? siblings : (drop ? kept : (pop ? shorter : top));
       uint up = left == 0u ? kNoNode : (top >> 8u) + ((top >> 2u) & 3u);
       uint down = base + (uint(k0) & 3u);
       node = visiting ? (found == 0u ? up : down) : node;
-      for (uint i = 0u; i < kStackSize; ++i) stack[i] = next_stack[i];
     } while (node != kNoNode && mask == 0u);
     do {
       bool testing = mask != 0u;
