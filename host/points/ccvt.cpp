@@ -77,7 +77,7 @@ CcvtResult ccvt(const CcvtOptions& options) {
     if (capacity != capacities.front()) state = refined_cells(state, capacity, options.seed);
     estimate.next_capacity(capacity);
     // A coarse capacity is but a start for the next: few exchanges a site are near enough to its end.
-    const std::uint64_t enough = last ? 1 : 1 + state.cells.size() * capacity / 64;
+    const std::uint64_t enough = last ? 1 : 1 + state.cells.size() * capacity / 1024;
     const CcvtEffort effort = optimise(state.cells, enough, [&](std::uint64_t swaps) {
       if (last && options.on_pass) options.on_pass(state.cells.energy() / kHexagonEnergy, swaps);
       estimate.pass(swaps);

@@ -16,6 +16,7 @@ using Candidate = CcvtScratch::Candidate;
 // Four lanes: what every x86-64 and ARMv8 has. The compiler splits or maps them elsewhere.
 using Floats = float __attribute__((vector_size(16)));
 using Words = std::int32_t __attribute__((vector_size(16)));
+using Unsigned = std::uint32_t __attribute__((vector_size(16)));
 
 /// keys[k] = u . (point k - centre) for the slots [begin, end); returns the largest, or `largest`.
 float project(const std::uint32_t* x, const std::uint32_t* y, std::uint32_t begin, std::uint32_t end,
@@ -29,7 +30,6 @@ float project(const std::uint32_t* x, const std::uint32_t* y, std::uint32_t begi
     Words px, py;
     std::memcpy(&px, x + k, sizeof px);
     std::memcpy(&py, y + k, sizeof py);
-    using Unsigned = std::uint32_t __attribute__((vector_size(16)));
     const Words dx = (Words)((Unsigned)px - (Unsigned)vcx), dy = (Words)((Unsigned)py - (Unsigned)vcy);
     const Floats key = __builtin_convertvector(dx, Floats) * vux + __builtin_convertvector(dy, Floats) * vuy;
     std::memcpy(keys + k, &key, sizeof key);
@@ -46,7 +46,21 @@ float project(const std::uint32_t* x, const std::uint32_t* y, std::uint32_t begi
 /// The slots whose key is above the limit, largest key first.
 void collect(const std::vector<float>& keys, std::uint32_t count, float limit, std::vector<Candidate>& into) {
   into.clear();
-  for (std::uint32_t k = 0; k < count; ++k) {
+  const Floats vlimit = {limit, limit, limit, limit};
+  std::uint32_t k = 0;
+  for (; k + 8 <= count; k += 8) {  // nearly all keys are below: pass over them eight at a time
+    Floats low, high;
+    std::memcpy(&low, keys.data() + k, sizeof low);
+    std::memcpy(&high, keys.data() + k + 4, sizeof high);
+    const Words above = (low > vlimit) | (high > vlimit);
+    std::uint64_t any[2];
+    std::memcpy(any, &above, sizeof any);
+    if ((any[0] | any[1]) == 0) continue;
+    for (std::uint32_t q = k; q < k + 8; ++q) {
+      if (keys[q] > limit) into.push_back({keys[q], q});
+    }
+  }
+  for (; k < count; ++k) {
     if (keys[k] > limit) into.push_back({keys[k], k});
   }
   std::sort(into.begin(), into.end(), [](const Candidate& a, const Candidate& b) {
