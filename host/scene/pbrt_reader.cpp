@@ -134,13 +134,14 @@ void settle_missing_materials(PbrtContext& context) {
 void finish(PbrtContext& context, const Tokenizer& tokens) {
   if (!context.in_world) throw InputError(SourcePlace{tokens.file()}, "this scene has no WorldBegin");
   if (context.object)
-    throw InputError(context.object_place, "this ObjectBegin is never closed; add an ObjectEnd");
+    throw InputError(context.object_place, "this ObjectBegin is never closed; add its ObjectEnd");
   for (const auto* scopes : {&context.scopes, &context.transform_scopes}) {
     if (scopes->empty()) continue;
     const PbrtScope& scope = scopes->back();
     const std::string stem =
         scope.directive.substr(0, scope.directive.size() - std::string_view("Begin").size());
-    throw InputError(scope.place, fmt::format("this {} is never closed; add a {}End", scope.directive, stem));
+    throw InputError(scope.place,
+                     fmt::format("this {} is never closed; add its {}End", scope.directive, stem));
   }
   settle_missing_materials(context);
   context.files.load(context.scene.meshes, context.options);

@@ -101,8 +101,8 @@ TriangleMesh triangle_mesh(const ShapeSource& source, const ReadOptions& options
 
 double positive(const ShapeSource& source, const std::string& name, double fallback) {
   const double value = source.parameters.number(name, fallback);
-  if (value > 0) return value;
-  throw InputError(source.place_of(name), fmt::format("{} must be greater than 0", name));
+  if (value > 0 && value < 1e18) return value;
+  throw InputError(source.place_of(name), fmt::format("{} must be greater than 0 and less than 1e18", name));
 }
 
 double phi_max(const ShapeSource& source) {

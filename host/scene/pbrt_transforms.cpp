@@ -46,6 +46,9 @@ void scale(PbrtContext& context, Tokenizer& tokens, const Token& directive) {
 
 void rotate(PbrtContext& context, Tokenizer& tokens, const Token& directive) {
   const std::vector<double> n = read_numbers(tokens, 4, "Rotate");
+  if (n[1] == 0 && n[2] == 0 && n[3] == 0) {
+    throw InputError(tokens.place(directive), "Rotate needs an axis that is not 0 0 0");
+  }
   concatenate(context, tokens.place(directive), rotation(n[0], {n[1], n[2], n[3]}));
 }
 
