@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tiling/power_cell.h"
+#include "tiling/tied_points.h"
+#include "tiling/tiling.h"
+
+namespace capcon {
+
+/// The capacity-constrained cells of all sites of one toroidal tiling, in units of a tile's side: power cells
+/// of exactly the same area 1/nt, which are the cells of least summed energy for these sites and capacities
+/// (Aurenhammer, Hoffmann and Aronov 1998). The weights follow from damped Newton steps on the areas
+/// (Kitagawa, Merigot and Thibert 2019). It is the limit of swapping space points between sites as the
+/// capacity goes to infinity.
+class EqualCells {
+ public:
+  EqualCells(const GaussianTiling& tiling, const std::vector<std::uint32_t>& colours,
+             const TiedPoints& points);
+
+  /// Solves for the points' present positions, from the last solution on, until every area is within
+  /// `tolerance` of 1/nt, relatively.
+  void solve(const TiedPoints& points, double tolerance);
+
+  const std::vector<PowerCell>& cells() const { return cells_; }
+  /// The free point that stands at a site; sites are tile by tile.
+  std::uint32_t free_point(std::size_t site) const { return free_point_[site]; }
+  std::size_t site_count() const { return free_point_.size(); }
+  /// Mean of |x - site|^2 over the torus.
+  double energy() const;
+
+ private:
+  void find_neighbours(const TiedPoints& points);
+  void compute_cells();
+  double residual2() const;
+  double least_area() const;
+  std::vector<double> newton_direction() const;
+
+  double target_;
+  std::size_t per_tile_;
+  std::vector<std::uint32_t> free_point_;
+  std::vector<std::array<std::uint32_t, 9>> around_;  ///< per tile the tiles at (-1..1, -1..1)
+  std::vector<std::vector<Neighbour>> neighbours_;
+  std::vector<double> weights_;
+  std::vector<PowerCell> cells_;
+};
+
+}  // namespace capcon
