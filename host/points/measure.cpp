@@ -18,7 +18,8 @@ std::vector<VoronoiCell> voronoi_cells(const Points& points) {
   std::vector<VoronoiCell> cells(points.size());
   parallel_for((points.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
     PeriodicVoronoi::Scratch scratch;
-    for (std::size_t i = block * kBlock; i < std::min(points.size(), (block + 1) * kBlock); ++i) {
+    for (std::size_t k = block * kBlock; k < std::min(points.size(), (block + 1) * kBlock); ++k) {
+      const std::uint32_t i = diagram.order()[k];
       diagram.cut(i, scratch);
       cells[i].corners = scratch.corners;
       integrate_polygon(scratch.corners, cells[i].area, cells[i].centroid, cells[i].second_moment);
@@ -40,8 +41,8 @@ Measures measure(const Points& points) {
   parallel_for(blocks.size(), [&](std::size_t block) {
     PeriodicVoronoi::Scratch scratch;
     Sums sums;
-    for (std::size_t i = block * kBlock; i < std::min(points.size(), (block + 1) * kBlock); ++i) {
-      const double distance = std::sqrt(diagram.cut(i, scratch));
+    for (std::size_t k = block * kBlock; k < std::min(points.size(), (block + 1) * kBlock); ++k) {
+      const double distance = std::sqrt(diagram.cut(diagram.order()[k], scratch));
       double area, second_moment;
       glm::dvec2 centroid;
       integrate_polygon(scratch.corners, area, centroid, second_moment);

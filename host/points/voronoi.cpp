@@ -36,6 +36,14 @@ bool clip(std::vector<glm::dvec2>& corners, std::vector<glm::dvec2>& next, glm::
   return true;
 }
 
+/// Brings x into [0, side); returns the number of periods that took. Without a division: x is never far off.
+int wrap(int& x, int side) {
+  int periods = 0;
+  for (; x < 0; x += side) --periods;
+  for (; x >= side; x -= side) ++periods;
+  return periods;
+}
+
 double farthest_corner2(const std::vector<glm::dvec2>& corners) {
   double farthest = 0;
   for (const glm::dvec2& c : corners) farthest = std::max(farthest, glm::dot(c, c));
@@ -103,6 +111,9 @@ PeriodicVoronoi::PeriodicVoronoi(const Points& points) : sites_(points), twin_(p
   for (const std::uint32_t i : order_) positions_.push_back(sites_[i]);
   // Even or random points stay clear of both limits (random ones leave 22 % of the grid empty).
   if (crowd > 12 || 2 * empty > cells) tree_ = KdTree(sites_, order_);
+  for (std::uint32_t i = 0; i < twin_.size(); ++i) {
+    if (twin_[i] == Twin::kLater) order_.push_back(i);
+  }
 }
 
 double PeriodicVoronoi::cut(std::size_t index, Scratch& scratch) const {
@@ -123,10 +134,8 @@ double PeriodicVoronoi::cut(std::size_t index, Scratch& scratch) const {
   double reach2 = 4 * farthest_corner2(corners);
   std::uint32_t seen = 0;
   const auto visit = [&](int x, int y) {
-    const int wrapped_x = ((x % side_) + side_) % side_;
-    const int wrapped_y = ((y % side_) + side_) % side_;
-    const glm::dvec2 shift((x - wrapped_x) / side_, (y - wrapped_y) / side_);
-    const std::size_t cell = static_cast<std::size_t>(wrapped_y) * side_ + wrapped_x;
+    const glm::dvec2 shift(wrap(x, side_), wrap(y, side_));
+    const std::size_t cell = static_cast<std::size_t>(y) * side_ + x;
     for (std::uint32_t e = start_[cell]; e < start_[cell + 1]; ++e) {
       const glm::dvec2 d = (positions_[e] - site) + shift;
       const double distance2 = glm::dot(d, d);
@@ -136,8 +145,9 @@ double PeriodicVoronoi::cut(std::size_t index, Scratch& scratch) const {
     }
   };
   const auto load = [&](int x, int y) {
-    const std::size_t cell =
-        static_cast<std::size_t>(((y % side_) + side_) % side_) * side_ + ((x % side_) + side_) % side_;
+    wrap(x, side_);
+    wrap(y, side_);
+    const std::size_t cell = static_cast<std::size_t>(y) * side_ + x;
     seen += start_[cell + 1] - start_[cell];
   };
   // No image farther than 1 along an axis can cut: its neighbour one period nearer is nearer to all of the
