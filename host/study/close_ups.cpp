@@ -1,0 +1,115 @@
+#include "study/close_ups.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/progress.h"
+#include "image/compare.h"
+
+namespace capcon {
+namespace {
+
+constexpr double kPicturePixels = 92e3;
+constexpr std::uint32_t kPictureSamples = 512;
+constexpr double kRegionPart = 0.25;  // of the picture's width
+
+Image difference(const Image& a, const Image& b) {
+  Image result = a;
+  for (std::size_t i = 0; i < result.pixels.size(); ++i)
+    result.pixels[i] = std::abs(a.pixels[i] - b.pixels[i]);
+  return result;
+}
+
+float common_exposure(const std::vector<CloseUp>& views) {
+  std::vector<float> all;
+  for (const CloseUp& view : views)
+    all.insert(all.end(), view.difference.pixels.begin(), view.difference.pixels.end());
+  if (all.empty()) return 1;
+  const auto place = all.begin() + static_cast<std::ptrdiff_t>(all.size() - 1 - all.size() / 100);
+  std::nth_element(all.begin(), place, all.end());
+  if (*place <= 0) return 1;
+  return std::max(0.1f, std::round(10 / *place) / 10);
+}
+
+}  // namespace
+
+Image crop(const Image& image, const Region& region) {
+  Image result(region.width, region.height, image.channels);
+  for (int y = 0; y < region.height; ++y) {
+    for (int x = 0; x < region.width; ++x) {
+      for (int c = 0; c < image.channels; ++c) result.at(x, y, c) = image.at(region.x + x, region.y + y, c);
+    }
+  }
+  return result;
+}
+
+Region worst_region(const Image& errors, int width, int height) {
+  Region best{0, 0, std::min(width, errors.width), std::min(height, errors.height)};
+  double most = -1;
+  constexpr int kStep = 4;
+  for (int y = 0; y + best.height <= errors.height; y += kStep) {
+    for (int x = 0; x + best.width <= errors.width; x += kStep) {
+      double sum = 0;
+      for (int v = 0; v < best.height; ++v) {
+        for (int u = 0; u < best.width; ++u) sum += errors.at(x + u, y + v, 0);
+      }
+      if (sum > most) {
+        most = sum;
+        best.x = x;
+        best.y = y;
+      }
+    }
+  }
+  return best;
+}
+
+CloseUps make_close_ups(const StudySettings& settings, const MakeStudyDevice& make_device,
+                        const RunnerOptions& options) {
+  const double scale = std::max(1.0, std::sqrt(kPicturePixels / settings.width / settings.height));
+  const int width = static_cast<int>(std::lround(settings.width * scale));
+  const int height = static_cast<int>(std::lround(settings.height * scale));
+  const StudyDevice device = make_device(width, height);
+
+  CloseUps result;
+  result.samples = {4, 16};
+  result.picture_samples = kPictureSamples;
+  double done = 0;
+  Progress progress("close-ups", kPictureSamples + 20.0 * static_cast<double>(settings.samplers.size()),
+                    options.quiet);
+  const auto render = [&](const AmbientOcclusionJob& job) {
+    if (options.interrupted())
+      throw Interrupted("stopped; all runs are kept, and the same command makes the report");
+    Image image = device.render(job).image;
+    progress.update(done += job.samples);
+    return image;
+  };
+  StudySettings picture = settings;
+  picture.reference_samples = kPictureSamples;
+  result.picture = render(make_reference_job(picture, 0));
+  Image errors(width, height, 1);
+  std::vector<Image> images;
+  for (const std::uint32_t samples : result.samples) {
+    for (const std::string& sampler : settings.samplers) {
+      images.push_back(render(make_job(settings, {sampler, samples, result.seed})));
+      result.views.push_back({sampler, samples, {}, {}, 0});
+      if (samples != result.samples.back()) continue;
+      for (std::size_t i = 0; i < errors.pixels.size(); ++i) {
+        const float d = images.back().pixels[i] - result.picture.pixels[i];
+        errors.pixels[i] += d * d;
+      }
+    }
+  }
+  const int region_width = static_cast<int>(std::lround(width * kRegionPart));
+  result.region = worst_region(errors, region_width, region_width * 3 / 4);
+  result.reference = crop(result.picture, result.region);
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    CloseUp& view = result.views[i];
+    view.crop = crop(images[i], result.region);
+    view.difference = difference(view.crop, result.reference);
+    view.mse = compare(view.crop, result.reference).mse;
+  }
+  result.exposure = common_exposure(result.views);
+  return result;
+}
+
+}  // namespace capcon

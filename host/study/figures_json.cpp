@@ -1,0 +1,70 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "study/figures.h"
+#include "study/findings.h"
+
+namespace capcon {
+using nlohmann::json;
+
+namespace {
+
+json number(double v) {
+  return std::isfinite(v) ? json(v) : json(nullptr);
+}
+
+json interval(const Interval& v) {
+  return {{"value", number(v.value)}, {"low", number(v.low)}, {"high", number(v.high)}};
+}
+
+json cell_json(const Cell& c) {
+  return {{"samples", c.samples},
+          {"mse", interval(c.mse)},
+          {"mean_mse", number(c.mean_mse)},
+          {"sure", c.sure},
+          {"device_seconds", interval(c.device_seconds)},
+          {"wall_seconds", interval(c.wall_seconds)},
+          {"wall_seconds_without_points", interval(c.wall_without_points)},
+          {"point_generation_seconds", number(c.point_seconds)}};
+}
+
+}  // namespace
+
+json to_json(const StudyResult& result, const Figures& figures) {
+  json curves = json::array();
+  for (const Curve& curve : figures.curves) {
+    json cells = json::array();
+    for (const Cell& cell : curve.cells) cells.push_back(cell_json(cell));
+    curves.push_back({{"sampler", curve.sampler},
+                      {"slope", interval(curve.slope)},
+                      {"time_slope", interval(curve.time_slope)},
+                      {"slope_cells", curve.slope_cells},
+                      {"cells", cells}});
+  }
+  json ratios = json::array();
+  for (const Ratio& r : figures.ratios) {
+    ratios.push_back({{"sampler", r.sampler},
+                      {"baseline", r.baseline},
+                      {"samples", r.samples},
+                      {"mse_ratio", interval(r.mse)},
+                      {"equal_error_samples", interval(r.equal_error)},
+                      {"equal_error_beyond", r.beyond},
+                      {"equal_time_mse_ratio", interval(r.equal_time)}});
+  }
+  return {{"study", "ambient-occlusion"},
+          {"version", result.version},
+          {"started", result.started},
+          {"settings", to_json(result.settings)},
+          {"device", result.device},
+          {"findings", make_findings(result.settings, figures)},
+          {"reference",
+           {{"error", figures.reference_error},
+            {"groups", result.settings.reference_groups},
+            {"samples", result.settings.reference_samples},
+            {"sampler", kReferenceSampler},
+            {"margin", kReferenceMargin}}},
+          {"curves", curves},
+          {"ratios", ratios}};
+}
+
+}  // namespace capcon

@@ -1,0 +1,168 @@
+#include "study/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/format.h"
+
+namespace capcon {
+namespace {
+
+constexpr std::uint32_t kPreferredCount = 64;
+
+/// The number of samples that sentences speak of: 64 where measured, else the largest.
+std::uint32_t spoken_count(const StudySettings& settings) {
+  const auto& n = settings.samples;
+  return std::find(n.begin(), n.end(), kPreferredCount) != n.end() ? kPreferredCount : n.back();
+}
+
+std::string needed(const Ratio& ratio, const StudySettings& settings) {
+  if (ratio.beyond < 0) return fmt::format("fewer than {}", settings.samples.front());
+  if (ratio.beyond > 0) return fmt::format("more than {}", settings.samples.back());
+  return with_range(ratio.equal_error);
+}
+
+std::string headline(const StudySettings& settings, const Figures& figures, const std::string& subject) {
+  const std::uint32_t n = spoken_count(settings);
+  std::vector<std::string> parts;
+  for (const std::string& baseline : figures.baselines) {
+    const Ratio* r = figures.ratio(subject, baseline, n);
+    if (!r || (r->beyond == 0 && std::isnan(r->equal_error.value))) continue;
+    parts.push_back(fmt::format("{}{} for the error of {} {} samples", needed(*r, settings),
+                                parts.empty() ? " samples" : "", n, baseline));
+  }
+  if (parts.empty()) return fmt::format("{} samplers compared.", settings.samplers.size());
+  return fmt::format("{} needs {}.", subject, enumerate(parts));
+}
+
+/// "lower at 8, 16 and 32 samples; higher at 1; no difference shown at 2"
+std::string equal_samples(const StudySettings& settings, const Figures& figures, const std::string& subject,
+                          const std::string& baseline) {
+  if (settings.seeds < 2) return {};  // no interval, so no difference can be shown
+  std::vector<std::string> lower, higher, open;
+  for (const std::uint32_t n : settings.samples) {
+    const Ratio* r = figures.ratio(subject, baseline, n);
+    if (!r || std::isnan(r->mse.value)) continue;
+    (r->mse.below(1) ? lower : r->mse.above(1) ? higher : open).push_back(fmt::format("{}", n));
+  }
+  std::vector<std::string> parts;
+  const auto add = [&](const char* what, const std::vector<std::string>& counts) {
+    if (!counts.empty()) parts.push_back(fmt::format("{} at {}", what, enumerate(counts)));
+  };
+  add("lower", lower);
+  add("higher", higher);
+  add("not shown to differ", open);
+  if (parts.empty()) return {};
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+  return fmt::format("At equal samples, {}'s mean squared error is, beside {}'s: {} samples.", subject,
+                     baseline, text);
+}
+
+std::string best(const StudySettings& settings, const Figures& figures) {
+  std::vector<std::string> parts;
+  for (const std::uint32_t n : {16u, settings.samples.back()}) {
+    const Curve* lowest = nullptr;
+    for (const Curve& curve : figures.curves) {
+      const Cell* cell = find_cell(curve, n);
+      if (!cell || !cell->sure) continue;
+      if (!lowest || cell->mse.value < find_cell(*lowest, n)->mse.value) lowest = &curve;
+    }
+    if (!lowest) continue;
+    std::string text =
+        fmt::format("at {} samples {} ({}", n, lowest->sampler, scientific(find_cell(*lowest, n)->mse.value));
+    const Ratio* r = figures.ratio(lowest->sampler, "sobol-owen", n);
+    if (r && !std::isnan(r->mse.value)) text += fmt::format(", {} times sobol-owen's", with_range(r->mse));
+    parts.push_back(text + ")");
+    if (n == settings.samples.back()) break;
+  }
+  return parts.empty() ? "" : fmt::format("Lowest error of all: {}.", enumerate(parts));
+}
+
+/// The text's figure 5.20: lower MSE than sobol-xor from more than four samples on; 32 as good as 64 in
+/// places.
+std::string beside_the_text(const StudySettings& settings, const Figures& figures,
+                            const std::string& subject) {
+  if (subject != "capcon" || settings.seeds < 2) return {};
+  int lower = 0;
+  int counted = 0;
+  for (const std::uint32_t n : settings.samples) {
+    const Ratio* r = figures.ratio(subject, "sobol-xor", n);
+    if (n <= 4 || !r || std::isnan(r->mse.value)) continue;
+    ++counted;
+    lower += r->mse.below(1) ? 1 : 0;
+  }
+  if (counted == 0) return {};
+  std::string text = fmt::format(
+      "The text this follows (figure 5.20) saw a lower error than sobol-xor from more than four samples on: "
+      "here this "
+      "holds at {} of {} such counts.",
+      lower, counted);
+  const Ratio* r = figures.ratio(subject, "sobol-xor", 64);
+  if (r && (r->beyond != 0 || !std::isnan(r->equal_error.value))) {
+    text += fmt::format(
+        " It saw 32 of its points look about as good as 64 in places: here 64 are matched, by MSE, by {}.",
+        needed(*r, settings));
+  }
+  return text;
+}
+
+std::string equal_time(const StudySettings& settings, const Figures& figures, const std::string& subject) {
+  const std::uint32_t n = spoken_count(settings);
+  std::vector<std::string> parts;
+  for (const std::string& baseline : figures.baselines) {
+    const Ratio* r = figures.ratio(subject, baseline, n);
+    if (r && !std::isnan(r->equal_time.value)) {
+      parts.push_back(fmt::format("{} times that of {}", with_range(r->equal_time), baseline));
+    }
+  }
+  if (parts.empty()) return {};
+  return fmt::format("In the device time that {} samples of the baseline take, {}'s error is {}.", n, subject,
+                     enumerate(parts));
+}
+
+std::string unsure(const Figures& figures) {
+  int count = 0;
+  for (const Curve& curve : figures.curves) {
+    for (const Cell& cell : curve.cells) count += cell.sure ? 0 : 1;
+  }
+  if (count == 0) return {};
+  return fmt::format(
+      "{} of the measured errors {} less than {} times the reference image's own error and {} left out of "
+      "all "
+      "comparisons; more --reference-samples would settle {}.",
+      count, count == 1 ? "is" : "are", kReferenceMargin, count == 1 ? "is" : "are",
+      count == 1 ? "it" : "them");
+}
+
+}  // namespace
+
+std::string study_subject(const StudySettings& settings) {
+  const auto& names = settings.samplers;
+  if (std::find(names.begin(), names.end(), "capcon") != names.end()) return "capcon";
+  for (auto name = names.rbegin(); name != names.rend(); ++name) {
+    if (!name->starts_with("sobol")) return *name;
+  }
+  return names.back();
+}
+
+std::vector<std::string> make_findings(const StudySettings& settings, const Figures& figures) {
+  const std::string subject = study_subject(settings);
+  std::vector<std::string> findings = {headline(settings, figures, subject)};
+  const auto add = [&](std::string sentence) {
+    if (!sentence.empty()) findings.push_back(std::move(sentence));
+  };
+  for (const std::string& baseline : figures.baselines) {
+    if (baseline != subject) add(equal_samples(settings, figures, subject, baseline));
+  }
+  add(equal_time(settings, figures, subject));
+  add(best(settings, figures));
+  add(beside_the_text(settings, figures, subject));
+  add(unsure(figures));
+  if (settings.seeds < 2) add("There was one seed only: nothing here says how sure the figures are.");
+  return findings;
+}
+
+}  // namespace capcon

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/figures.h"
+
+namespace capcon {
+
+/// The sampler a study is about: capcon where it was measured, else the last of the list that is no baseline.
+std::string study_subject(const StudySettings& settings);
+
+/// What the figures say, in plain sentences made from them: the headline first. Whatever they say; a
+/// difference is only called one where its 95 % interval shows it.
+std::vector<std::string> make_findings(const StudySettings& settings, const Figures& figures);
+
+}  // namespace capcon

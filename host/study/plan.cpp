@@ -1,0 +1,96 @@
+#include "study/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/hash.h"
+
+namespace capcon {
+
+std::vector<PlannedRun> plan_runs(const StudySettings& settings) {
+  std::vector<PlannedRun> runs;
+  for (std::uint32_t seed = 1; seed <= settings.seeds; ++seed) {
+    for (const std::uint32_t samples : settings.samples) {
+      std::vector<std::string> order = settings.samplers;
+      for (std::size_t i = order.size(); i > 1; --i) {  // Fisher and Yates
+        const auto j = static_cast<std::size_t>(uniform64(seed, samples, i) * static_cast<double>(i));
+        std::swap(order[i - 1], order[j]);
+      }
+      for (const std::string& sampler : order) runs.push_back({sampler, samples, seed});
+    }
+  }
+  return runs;
+}
+
+AmbientOcclusionJob make_job(const StudySettings& settings, const PlannedRun& run) {
+  return {settings.radius, run.sampler, run.samples, run.seed, PixelPosition::centre};
+}
+
+AmbientOcclusionJob make_reference_job(const StudySettings& settings, std::uint32_t group) {
+  return {settings.radius, kReferenceSampler, settings.reference_samples, kReferenceSeed + group,
+          PixelPosition::centre};
+}
+
+nlohmann::json to_json(const StudySettings& s) {
+  return {{"scene", s.scene},
+          {"scene_fingerprint", fmt::format("{:016x}", s.scene_fingerprint)},
+          {"unique_triangles", s.unique_triangles},
+          {"instanced_triangles", s.instanced_triangles},
+          {"width", s.width},
+          {"height", s.height},
+          // JSON has no infinity.
+          {"radius", std::isfinite(s.radius) ? nlohmann::json(s.radius) : nlohmann::json("infinite")},
+          {"samplers", s.samplers},
+          {"samples", s.samples},
+          {"seeds", s.seeds},
+          {"reference_samples", s.reference_samples},
+          {"reference_groups", s.reference_groups},
+          {"close_ups", s.close_ups},
+          {"command", s.command}};
+}
+
+std::string settings_hash(const StudySettings& settings, const nlohmann::json& device) {
+  nlohmann::json relevant = to_json(settings);
+  for (const char* free : {"samplers", "samples", "seeds", "close_ups", "command"}) relevant.erase(free);
+  relevant["device"] = device;
+  relevant["version"] = version();
+  return fmt::format("{:016x}", fnv1a64(relevant.dump()));
+}
+
+std::vector<std::uint32_t> parse_samples(const std::string& text) {
+  const auto fail = [&] {
+    return InputError(fmt::format(
+        "\"{}\" is no list of sample counts; write single counts and doubling ranges like 1,2,4..256", text));
+  };
+  const auto number = [&](std::string_view part) {
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    constexpr std::uint32_t kMost = 1u << 20;
+    if (error != std::errc() || end != part.data() + part.size() || value == 0 || value > kMost) throw fail();
+    return value;
+  };
+  std::set<std::uint32_t> counts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view part = std::string_view(text).substr(begin, end - begin);
+    begin = end + 1;
+    const std::size_t dots = part.find("..");
+    if (dots == std::string_view::npos) {
+      counts.insert(number(part));
+      continue;
+    }
+    const std::uint32_t last = number(part.substr(dots + 2));
+    const std::uint32_t first = number(part.substr(0, dots));
+    if (first > last) throw fail();
+    for (std::uint32_t n = first; n <= last; n *= 2) counts.insert(n);
+  }
+  return {counts.begin(), counts.end()};
+}
+
+}  // namespace capcon

@@ -1,0 +1,68 @@
+#include "study/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "sampling/sampler.h"
+#include "study/chart.h"
+#include "study/findings.h"
+#include "study/format.h"
+#include "study/html.h"
+
+namespace capcon {
+
+int sampler_style(const std::string& sampler, const StudySettings& settings) {
+  static constexpr std::array kKnown = {"random", "jittered", "sobol-xor", "sobol-owen", "ccvt", "capcon"};
+  const auto known = std::find(kKnown.begin(), kKnown.end(), sampler);
+  if (known != kKnown.end()) return static_cast<int>(known - kKnown.begin());
+  int others = static_cast<int>(kKnown.size());
+  for (const std::string& name : settings.samplers) {
+    if (name == sampler) break;
+    if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end()) ++others;
+  }
+  return others % 8;
+}
+
+namespace {
+
+std::string findings_section(const StudyResult& result, const Figures& figures) {
+  const std::vector<std::string> findings = make_findings(result.settings, figures);
+  std::string html = fmt::format("<p class=\"headline\">{}</p><ul>", escape(findings.front()));
+  for (std::size_t i = 1; i < findings.size(); ++i) html += fmt::format("<li>{}</li>", escape(findings[i]));
+  return html +
+         "</ul><p class=\"small\">In parentheses: 95 % confidence intervals over the seeds. A difference is "
+         "called one "
+         "where its interval excludes no difference; of every twenty such calls about one is chance.</p>";
+}
+
+}  // namespace
+
+std::string html_report(const StudyResult& result, const Figures& figures,
+                        const std::optional<CloseUps>& close_ups) {
+  const StudySettings& s = result.settings;
+  const std::string device = result.device.value("name", "unknown device");
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+      "<meta name=\"color-scheme\" content=\"light dark\"><title>Ambient occlusion: error against run "
+      "time</title>"
+      "<style>{}</style></head><body>\n<a class=\"skip\" href=\"#charts\">To the charts</a>"
+      "<header><p class=\"kicker\">capcon study · ambient occlusion</p><h1>Error against run time, sampler "
+      "by sampler</h1>"
+      "<p class=\"small\">{} · {} × {} pixels · {} instanced triangles · {} · {}</p></header>\n<main>\n",
+      report_style(), escape(s.scene), s.width, s.height, s.instanced_triangles, escape(device),
+      escape(result.started));
+  const auto section = [&](const char* id, const char* title, const std::string& body) {
+    html += fmt::format("<section id=\"{}\"><h2>{}</h2>\n{}</section>\n", id, title, body);
+  };
+  section("findings", "What was found", findings_section(result, figures));
+  section("charts", "Error against samples and against time", report_charts(result, figures));
+  if (close_ups) section("close-ups", "What it looks like", report_close_ups(s, *close_ups));
+  section("tables", "The figures", report_tables(result, figures));
+  section("methods", "What ran, and how each figure is computed", report_methods(result, figures));
+  return html + "</main>\n</body></html>\n";
+}
+
+}  // namespace capcon

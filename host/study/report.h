@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "study/close_ups.h"
+#include "study/figures.h"
+
+namespace capcon {
+
+/// The whole page: one HTML file that loads nothing else and runs no scripts.
+std::string html_report(const StudyResult& result, const Figures& figures,
+                        const std::optional<CloseUps>& close_ups);
+
+// Its parts, each a section.
+
+/// Error against samples, beside sobol-owen, against device seconds and against whole seconds.
+std::string report_charts(const StudyResult& result, const Figures& figures);
+/// MSE, slopes, equal error, equal time.
+std::string report_tables(const StudyResult& result, const Figures& figures);
+std::string report_close_ups(const StudySettings& settings, const CloseUps& close_ups);
+/// What ran, and how each figure is computed.
+std::string report_methods(const StudyResult& result, const Figures& figures);
+/// The style sheet: light and dark, screen and paper.
+std::string_view report_style();
+
+/// Colour and marker of a sampler: known ones always keep theirs.
+int sampler_style(const std::string& sampler, const StudySettings& settings);
+
+}  // namespace capcon

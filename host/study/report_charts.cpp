@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+#include "study/chart.h"
+#include "study/findings.h"
+#include "study/format.h"
+#include "study/html.h"
+#include "study/report.h"
+
+namespace capcon {
+namespace {
+
+using Place = std::function<double(const Cell&)>;
+
+std::vector<ChartPoint> points_of(const Curve& curve, const Place& x) {
+  std::vector<ChartPoint> points;
+  for (const Cell& cell : curve.cells) {
+    if (cell.mse.value <= 0) continue;  // the reference cannot tell: nothing to draw
+    points.push_back({x(cell), cell.mse, cell.sure,
+                      fmt::format("{}, {} samples: MSE {} {}, {} on the device", curve.sampler, cell.samples,
+                                  scientific(cell.mse.value), percent_around(cell.mse),
+                                  duration(cell.device_seconds.value))});
+  }
+  return points;
+}
+
+ChartLine line_of(const Curve& curve, const StudySettings& settings, const Place& x) {
+  return {curve.sampler,
+          sampler_style(curve.sampler, settings),
+          curve.sampler == study_subject(settings),
+          points_of(curve, x),
+          {}};
+}
+
+std::string figure(const Chart& chart, const std::string& caption) {
+  return fmt::format("<figure><h3>{}</h3>{}<figcaption>{}</figcaption></figure>\n", escape(chart.title),
+                     svg_chart(chart), caption);
+}
+
+std::string error_chart(const StudyResult& result, const Figures& figures) {
+  Chart chart{"c-samples",
+              "Error against samples",
+              "Mean squared error over samples a pixel, one line a sampler.",
+              "samples a pixel",
+              "MSE",
+              LogAxis::Style::counts,
+              LogAxis::Style::decades,
+              false,
+              {}};
+  for (const Curve& curve : figures.curves) {
+    chart.lines.push_back(line_of(curve, result.settings, [](const Cell& c) { return double(c.samples); }));
+  }
+  return figure(chart,
+                "Lower is better. Bars: 95 % intervals over the seeds, often smaller than the marker.");
+}
+
+std::string relative_chart(const StudyResult& result, const Figures& figures, const std::string& baseline) {
+  Chart chart{"c-relative",
+              "The same, beside " + baseline,
+              "MSE divided by that of " + baseline + " at equal samples.",
+              "samples a pixel",
+              "MSE / MSE of " + baseline,
+              LogAxis::Style::counts,
+              LogAxis::Style::plain,
+              true,
+              {}};
+  for (const Curve& curve : figures.curves) {
+    ChartLine line{curve.sampler,
+                   sampler_style(curve.sampler, result.settings),
+                   curve.sampler == study_subject(result.settings),
+                   {},
+                   {}};
+    for (const Cell& cell : curve.cells) {
+      const Ratio* r = figures.ratio(curve.sampler, baseline, cell.samples);
+      if (!r || std::isnan(r->mse.value)) continue;
+      line.points.push_back({double(cell.samples), r->mse, true,
+                             fmt::format("{}, {} samples: {} times the MSE of {}", curve.sampler,
+                                         cell.samples, with_range(r->mse), baseline)});
+    }
+    chart.lines.push_back(line);
+  }
+  return figure(
+      chart, fmt::format("Below the heavy line a sampler errs less than {} with as many samples.", baseline));
+}
+
+std::string device_chart(const StudyResult& result, const Figures& figures) {
+  Chart chart{"c-device",
+              "Error against device time",
+              "Mean squared error over device seconds, one line a sampler.",
+              "device time of a render",
+              "MSE",
+              LogAxis::Style::seconds,
+              LogAxis::Style::decades,
+              false,
+              {}};
+  for (const Curve& curve : figures.curves) {
+    chart.lines.push_back(
+        line_of(curve, result.settings, [](const Cell& c) { return c.device_seconds.value; }));
+  }
+  return figure(
+      chart, "Sum of the device's own timestamps over all stages of a render; the clock is explained below.");
+}
+
+std::string wall_chart(const StudyResult& result, const Figures& figures) {
+  Chart chart{"c-wall",
+              "Error against whole time",
+              "Mean squared error over seconds on the clock, one line a sampler.",
+              "whole time of a render",
+              "MSE",
+              LogAxis::Style::seconds,
+              LogAxis::Style::decades,
+              false,
+              {}};
+  for (const Curve& curve : figures.curves) {
+    ChartLine line = line_of(curve, result.settings, [](const Cell& c) { return c.wall_seconds.value; });
+    line.companion = points_of(curve, [](const Cell& c) { return c.wall_without_points.value; });
+    chart.lines.push_back(line);
+  }
+  return figure(
+      chart,
+      "Seconds on the clock from job to image, with making the points; dashed: without making the points.");
+}
+
+}  // namespace
+
+std::string report_charts(const StudyResult& result, const Figures& figures) {
+  std::string html = "<div class=\"charts\">" + error_chart(result, figures);
+  if (!figures.baselines.empty()) html += relative_chart(result, figures, figures.baselines.back());
+  return html + device_chart(result, figures) + wall_chart(result, figures) + "</div>";
+}
+
+}  // namespace capcon

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include "study/chart.h"
+#include "study/format.h"
+#include "study/html.h"
+#include "study/report.h"
+
+namespace capcon {
+namespace {
+
+/// The whole picture with the region framed.
+std::string overview(const CloseUps& c) {
+  const Image& p = c.picture;
+  return fmt::format(
+      "<figure class=\"overview\"><div class=\"framed\">{}<svg viewBox=\"0 0 {} {}\" "
+      "aria-hidden=\"true\"><rect class=\"halo\" "
+      "x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/><rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" "
+      "height=\"{}\"/></svg></div><figcaption>The scene, {} samples a pixel; framed: the region of the "
+      "close-ups.</figcaption></figure>",
+      embedded_image(p, 1, "The scene's ambient occlusion, converged"), p.width, p.height, c.region.x,
+      c.region.y, c.region.width, c.region.height, c.region.x, c.region.y, c.region.width, c.region.height,
+      c.picture_samples);
+}
+
+std::string view(const Image& image, float exposure, const std::string& alt, const std::string& caption) {
+  return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>", embedded_image(image, exposure, alt),
+                     caption);
+}
+
+}  // namespace
+
+std::string report_close_ups(const StudySettings& settings, const CloseUps& c) {
+  std::string html =
+      "<div class=\"pictures\">" + overview(c) +
+      fmt::format(
+          "<figure class=\"overview\"><div class=\"framed\">{}</div><figcaption>The framed region, the "
+          "reference for the close-ups.</figcaption></figure></div>",
+          embedded_image(c.reference, 1, "The framed region, converged"));
+  for (const std::uint32_t samples : c.samples) {
+    std::string renders, differences;
+    for (const CloseUp& v : c.views) {
+      if (v.samples != samples) continue;
+      const std::string name = svg_marker(sampler_style(v.sampler, settings)) + escape(v.sampler);
+      renders += view(v.crop, 1, fmt::format("{} at {} samples", v.sampler, samples), name);
+      differences +=
+          view(v.difference, c.exposure, fmt::format("Difference of {} from the reference", v.sampler),
+               "MSE " + scientific(v.mse));
+    }
+    html += fmt::format(
+        "<h3>{} samples a pixel</h3><div class=\"scroll\" role=\"region\" tabindex=\"0\" "
+        "aria-label=\"Close-ups at "
+        "{} samples\"><div class=\"views\" style=\"--n:{}\">{}{}</div></div>",
+        samples, samples, settings.samplers.size(), renders, differences);
+  }
+  return html +
+         fmt::format(
+             "<p class=\"small\">Above the render, below it |render - reference| times {:g}, the same for "
+             "all of "
+             "them, both as sRGB. The region is the one where all samplers together err most at {} samples. "
+             "Seed {} of each; MSE within the region.</p>",
+             c.exposure, c.samples.back(), c.seed);
+}
+
+}  // namespace capcon

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "study/format.h"
+#include "study/html.h"
+#include "study/report.h"
+
+namespace capcon {
+namespace {
+
+std::string what_ran(const StudyResult& result, const Figures& figures) {
+  const StudySettings& s = result.settings;
+  std::string html = "<h3>What ran</h3><dl>";
+  const auto item = [&](const std::string& name, const std::string& value) {
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>", escape(name), escape(value));
+  };
+  item("scene", fmt::format("{}: {} triangles, {} with instances", s.scene, s.unique_triangles,
+                            s.instanced_triangles));
+  item("image", fmt::format("{} × {} pixels, image samples at pixel centres", s.width, s.height));
+  item("radius", std::isfinite(s.radius) ? fmt::format("{:g} scene units", s.radius) : "unlimited");
+  item("runs", fmt::format("{} samplers × {} sample counts × {} seeds (1 … {}) = {} renders",
+                           s.samplers.size(), s.samples.size(), s.seeds, s.seeds, result.records.size()));
+  item("reference",
+       fmt::format("{}, {} groups of {} samples; its own expected MSE {}", kReferenceSampler,
+                   s.reference_groups, s.reference_samples, scientific(figures.reference_error)));
+  for (const auto& [name, value] : result.device.items()) {
+    item("device " + name, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  item("first measured", result.started);
+  item("program", "capcon " + result.version);
+  html += fmt::format("<dt>command</dt><dd><code>{}</code></dd></dl>", escape(s.command));
+  return html;
+}
+
+constexpr std::string_view kFormulas = R"(<h3>How each figure is computed</h3>
+<dl>
+<dt>the integral</dt><dd>A(x, n, r) = (1/π) ∫ V(x, ω, r) |cos θ| dω over the hemisphere of n; V is 0 where a surface lies within r
+along ω, else 1. Directions are cosine-weighted through the concentric map, so a pixel's estimate is the mean of V.</dd>
+<dt>reference</dt><dd>G independent groups of R samples each; the image is their mean R̄. Its expected squared error is
+e = mean over pixels of s² / G, with s² a pixel's sample variance over the groups.</dd>
+<dt>MSE</dt><dd>of one run: mean over all pixels of (I − R̄)², less e: the expectation of (I − R̄)² is the true MSE plus e. Over seeds:
+the geometric mean, with a Student t interval on the logarithms. An MSE below 3 e is marked unsure and enters no comparison.</dd>
+<dt>intervals</dt><dd>95 %, over seeds. Means: Student t with (seeds − 1) degrees of freedom. Slopes and ratios: the jackknife over seeds
+with the same quantile, on logarithms for ratios. They speak of the samplers' randomness on this scene, and of the machine's jitter
+where time enters; not of other scenes.</dd>
+<dt>slope</dt><dd>least-squares line through (log samples, log MSE), from 4 samples on; over device time likewise.</dd>
+<dt>equal error</dt><dd>the number of samples m at which the sampler's curve, straight between its points in log-log, reaches the
+baseline's MSE at n samples. Never extrapolated: “&lt;” or “&gt;” where the curve ends before.</dd>
+<dt>equal time</dt><dd>MSE of the sampler, read off its curve over device time (straight in log-log) at the device seconds of the
+baseline's n samples, divided by the baseline's MSE.</dd>
+<dt>device time</dt><dd>sum over the stages of a render of the device's own timestamps; geometric mean over seeds. On a CPU device such
+as lavapipe these are the time of its queue thread. The reference path, which has no such clock, gives seconds on the clock.</dd>
+<dt>whole time</dt><dd>seconds on the clock from job to image: making and uploading points, rendering, reading back; not reading the
+scene, building its tree or compiling kernels, which happen once.</dd>
+<dt>order of runs</dt><dd>seed by seed, within it sample count by sample count, within it all samplers in an order shuffled by hash: a machine
+that slows down does so for all samplers alike.</dd>
+</dl>
+<p class="small">Beside this page: runs.jsonl (every run), study.json (every figure), reference.exr (the reference image).</p>)";
+
+}  // namespace
+
+std::string report_methods(const StudyResult& result, const Figures& figures) {
+  return what_ran(result, figures) + std::string(kFormulas);
+}
+
+}  // namespace capcon

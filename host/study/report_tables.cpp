@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "study/chart.h"
+#include "study/format.h"
+#include "study/html.h"
+#include "study/report.h"
+
+namespace capcon {
+namespace {
+
+const std::string kNone = "<span class=\"none\">–</span>";
+
+std::string sampler_name(const std::string& sampler, const StudySettings& settings) {
+  return svg_marker(sampler_style(sampler, settings)) + escape(sampler);
+}
+
+std::vector<std::string> head(const std::string& first, const StudyResult& result,
+                              const std::string& without = {}) {
+  std::vector<std::string> cells = {first};
+  for (const std::string& sampler : result.settings.samplers) {
+    if (sampler != without) cells.push_back(sampler_name(sampler, result.settings));
+  }
+  return cells;
+}
+
+/// A figure with its interval below it in small print.
+std::string cell(const std::string& value, const std::string& small, const std::string& mark = {}) {
+  return fmt::format("<span class=\"figure {}\">{}</span><span class=\"interval\">{}</span>", mark, value,
+                     small);
+}
+
+/// Marked where the interval shows that the sampler is better or worse than its baseline.
+std::string ratio_cell(const Interval& v, double even) {
+  if (std::isnan(v.value)) return kNone;
+  return cell(short_number(v.value), range(v), v.below(even) ? "better" : v.above(even) ? "worse" : "");
+}
+
+std::string mse_table(const StudyResult& result, const Figures& figures) {
+  HtmlTable table("Mean squared error, with 95 % interval", head("samples", result));
+  for (const std::uint32_t n : result.settings.samples) {
+    double lowest = INFINITY;
+    for (const Curve& curve : figures.curves) {
+      const Cell* c = find_cell(curve, n);
+      if (c && c->sure) lowest = std::min(lowest, c->mse.value);
+    }
+    std::vector<std::string> row = {fmt::format("{}", n)};
+    for (const Curve& curve : figures.curves) {
+      const Cell* c = find_cell(curve, n);
+      row.push_back(!c         ? kNone
+                    : !c->sure ? cell("unsure", "below the reference's margin")
+                               : cell(scientific(c->mse.value), percent_around(c->mse),
+                                      c->mse.value == lowest ? "best" : ""));
+    }
+    table.row(row);
+  }
+  return table.str();
+}
+
+std::string slope_table(const StudyResult& result, const Figures& figures) {
+  HtmlTable table(
+      fmt::format("Slopes in log-log, from {} samples on (random points: -1 over samples)", kSlopeFrom),
+      head("over", result));
+  const auto slope_row = [&](const char* name, Interval Curve::*slope) {
+    std::vector<std::string> row = {name};
+    for (const Curve& curve : figures.curves) {
+      const Interval& v = curve.*slope;
+      row.push_back(std::isnan(v.value)
+                        ? kNone
+                        : cell(fmt::format("{:.2f}", v.value),
+                               std::isnan(v.low) ? "" : fmt::format("{:.2f} … {:.2f}", v.low, v.high)));
+    }
+    table.row(row);
+  };
+  slope_row("samples", &Curve::slope);
+  slope_row("device time", &Curve::time_slope);
+  return table.str();
+}
+
+std::string time_table(const StudyResult& result, const Figures& figures) {
+  HtmlTable table("Device time of a render; below it the time to make the points", head("samples", result));
+  for (const std::uint32_t n : result.settings.samples) {
+    std::vector<std::string> row = {fmt::format("{}", n)};
+    for (const Curve& curve : figures.curves) {
+      const Cell* c = find_cell(curve, n);
+      row.push_back(!c ? kNone
+                       : cell(duration(c->device_seconds.value), "points " + duration(c->point_seconds)));
+    }
+    table.row(row);
+  }
+  return table.str();
+}
+
+std::string equal_error_table(const StudyResult& result, const Figures& figures,
+                              const std::string& baseline) {
+  HtmlTable table(fmt::format("Equal error: samples needed to be as good as {} at n samples", baseline),
+                  head("n", result, baseline));
+  for (const std::uint32_t n : result.settings.samples) {
+    std::vector<std::string> row = {fmt::format("{}", n)};
+    for (const Curve& curve : figures.curves) {
+      if (curve.sampler == baseline) continue;
+      const Ratio* r = figures.ratio(curve.sampler, baseline, n);
+      row.push_back(
+          !r              ? kNone
+          : r->beyond < 0 ? cell(fmt::format("&lt; {}", result.settings.samples.front()), "out of range")
+          : r->beyond > 0 ? cell(fmt::format("&gt; {}", result.settings.samples.back()), "out of range")
+                          : ratio_cell(r->equal_error, n));
+    }
+    table.row(row);
+  }
+  return table.str();
+}
+
+std::string equal_time_table(const StudyResult& result, const Figures& figures, const std::string& baseline) {
+  HtmlTable table(
+      fmt::format("Equal time: MSE beside that of {}, in the device time its n samples take", baseline),
+      head("n", result, baseline));
+  for (const std::uint32_t n : result.settings.samples) {
+    std::vector<std::string> row = {fmt::format("{}", n)};
+    for (const Curve& curve : figures.curves) {
+      if (curve.sampler == baseline) continue;
+      const Ratio* r = figures.ratio(curve.sampler, baseline, n);
+      row.push_back(r ? ratio_cell(r->equal_time, 1) : kNone);
+    }
+    table.row(row);
+  }
+  return table.str();
+}
+
+}  // namespace
+
+std::string report_tables(const StudyResult& result, const Figures& figures) {
+  std::string html =
+      mse_table(result, figures) + slope_table(result, figures) +
+      "<p class=\"small\"><span class=\"better\">▼ better</span> and <span class=\"worse\">▲ worse</span> "
+      "than the "
+      "baseline mark differences that the interval shows; figures without a mark may be even.</p>";
+  for (const std::string& baseline : figures.baselines) {
+    html += "<div class=\"pair\">" + equal_error_table(result, figures, baseline) +
+            equal_time_table(result, figures, baseline) + "</div>";
+  }
+  return html + time_table(result, figures);
+}
+
+}  // namespace capcon

@@ -1,0 +1,139 @@
+#include "study/run_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+#include "base/error.h"
+#include "base/file.h"
+
+namespace capcon {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// JSON has no infinity: a number, or null for what is not finite.
+double number(const json& line, const char* name) {
+  const json& value = line.at(name);
+  const double v = value.get<double>();
+  if (!std::isfinite(v) || v < 0) throw std::out_of_range(fmt::format("\"{}\" is not a size", name));
+  return v;
+}
+
+RunRecord record_from(const json& line) {
+  RunRecord r;
+  r.run = {line.at("sampler").get<std::string>(), line.at("samples").get<std::uint32_t>(),
+           line.at("seed").get<std::uint32_t>()};
+  r.mse = number(line, "mse");
+  r.mse_trimmed = number(line, "mse_trimmed");
+  r.relmse = number(line, "relmse");
+  r.rays = line.at("rays").get<std::uint64_t>();
+  r.device_seconds = number(line, "device_seconds");
+  r.wall_seconds = number(line, "wall_seconds");
+  r.point_generation_seconds = number(line, "point_generation_seconds");
+  r.timings.wall = line.at("timings").at("wall").get<std::map<std::string, double>>();
+  r.timings.device = line.at("timings").at("device").get<std::map<std::string, double>>();
+  r.device = line.at("device").get<std::string>();
+  return r;
+}
+
+}  // namespace
+
+json to_json(const RunRecord& r) {
+  return {{"sampler", r.run.sampler},
+          {"samples", r.run.samples},
+          {"seed", r.run.seed},
+          {"mse", r.mse},
+          {"mse_trimmed", r.mse_trimmed},
+          {"relmse", r.relmse},
+          {"rays", r.rays},
+          {"device_seconds", r.device_seconds},
+          {"wall_seconds", r.wall_seconds},
+          {"point_generation_seconds", r.point_generation_seconds},
+          {"timings", {{"wall", r.timings.wall}, {"device", r.timings.device}}},
+          {"device", r.device}};
+}
+
+RunFile read_runs(const fs::path& path) {
+  const std::string bytes = read_file(path);
+  RunFile file;
+  int number_of_line = 0;
+  for (std::size_t begin = 0; begin < bytes.size();) {
+    const std::size_t end = bytes.find('\n', begin);
+    if (end == std::string::npos) break;
+    ++number_of_line;
+    const SourcePlace place{path.string(), number_of_line, 0};
+    try {
+      const json line = json::parse(bytes.begin() + static_cast<std::ptrdiff_t>(begin),
+                                    bytes.begin() + static_cast<std::ptrdiff_t>(end));
+      if (number_of_line == 1) {
+        line.at("settings_hash").get<std::string>();
+        file.header = line;
+      } else {
+        file.records.push_back(record_from(line));
+      }
+    } catch (const std::exception&) {
+      throw InputError(place,
+                       number_of_line == 1
+                           ? "this is not the header of a study's runs; choose another folder with -o"
+                           : "this is not a line of a study's runs; remove it, or start anew with --fresh");
+    }
+    begin = end + 1;
+    file.complete_bytes = begin;
+  }
+  return file;
+}
+
+RunLog::RunLog(fs::path path, const json& header, bool fresh) : path_(std::move(path)), header_(header) {
+  std::error_code error;
+  if (fs::exists(path_, error)) {
+    bool same = false;
+    std::uintmax_t complete_bytes = 0;
+    if (!fresh) {
+      RunFile old = read_runs(path_);
+      complete_bytes = old.complete_bytes;
+      same = complete_bytes > 0 && old.header["settings_hash"] == header.at("settings_hash");
+      if (same) {
+        header_ = std::move(old.header);
+        records_ = std::move(old.records);
+      }
+    }
+    if (same) {
+      fs::resize_file(path_, complete_bytes, error);
+    } else {
+      for (int i = 1; moved_.empty() || fs::exists(moved_, error); ++i) {
+        moved_ = path_.parent_path() / fmt::format("runs.{}.jsonl", i);
+      }
+      fs::rename(path_, moved_, error);
+    }
+    if (error) throw Failure(fmt::format("cannot write {}: {}", path_.string(), error.message()));
+  }
+  file_.reset(std::fopen(path_.c_str(), "ab"));
+  if (!file_) throw Failure(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
+  if (records_.empty() && fs::file_size(path_, error) == 0) write_line(header_.dump());
+}
+
+void RunLog::write_line(const std::string& line) {
+  const std::string whole = line + '\n';
+  if (std::fwrite(whole.data(), 1, whole.size(), file_.get()) != whole.size() ||
+      std::fflush(file_.get()) != 0) {
+    throw Failure(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
+  }
+}
+
+void RunLog::append(const RunRecord& record) {
+  write_line(to_json(record).dump());
+  records_.push_back(record);
+}
+
+const RunRecord* RunLog::find(const PlannedRun& run) const {
+  const auto found =
+      std::find_if(records_.begin(), records_.end(), [&](const RunRecord& r) { return r.run == run; });
+  return found == records_.end() ? nullptr : &*found;
+}
+
+}  // namespace capcon

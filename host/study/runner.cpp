@@ -1,0 +1,135 @@
+#include "study/runner.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <numeric>
+#include <set>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/progress.h"
+#include "image/compare.h"
+
+namespace capcon {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint32_t kCostOfARender =
+    8;  // what a render costs besides its samples, in samples; for the bar alone
+
+double stage(const std::map<std::string, double>& seconds, const char* name) {
+  const auto found = seconds.find(name);
+  return found == seconds.end() ? 0 : found->second;
+}
+
+double device_seconds(const Timings& timings) {
+  if (timings.device.empty()) {  // the oracle has no clock of its own
+    return stage(timings.wall, "primary") + stage(timings.wall, "occlusion") + stage(timings.wall, "resolve");
+  }
+  return std::accumulate(timings.device.begin(), timings.device.end(), 0.0,
+                         [](double sum, const auto& entry) { return sum + entry.second; });
+}
+
+RunRecord measure(const PlannedRun& run, const StudySettings& settings, const RenderJob& render,
+                  const ReferenceImage& reference) {
+  const auto start = std::chrono::steady_clock::now();
+  const RenderResult result = render(make_job(settings, run));
+  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - start;
+  const Comparison error = compare(result.image, reference.image);
+  if (error.non_finite > 0) {
+    throw Failure(
+        fmt::format("{} of the pixels rendered with {} at {} samples are not finite numbers; render it with "
+                    "--device reference to compare",
+                    error.non_finite, run.sampler, run.samples));
+  }
+  RunRecord record;
+  record.run = run;
+  record.mse = error.mse;
+  record.mse_trimmed = error.mse_trimmed;
+  record.relmse = error.relmse;
+  record.rays = result.rays;
+  record.device_seconds = device_seconds(result.timings);
+  record.wall_seconds = std::max(0.0, whole.count() - stage(result.timings.wall, "compile"));
+  record.point_generation_seconds = stage(result.timings.wall, "points");
+  record.timings = result.timings;
+  record.device = result.device;
+  return record;
+}
+
+void create_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw Failure(fmt::format("cannot create the folder {}: {}", folder.string(), error.message()));
+  for (const char* name : {"runs.jsonl", "reference.exr", "study.json", "report.html"})
+    check_writable(folder / name);
+}
+
+}  // namespace
+
+StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
+                      const RunnerOptions& options) {
+  create_folder(options.directory);
+  const std::string hash = settings_hash(settings, device.info);
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  RunLog log(options.directory / "runs.jsonl",
+             {{"study", "ambient-occlusion"},
+              {"format", 1},
+              {"settings_hash", hash},
+              {"settings", to_json(settings)},
+              {"device", device.info},
+              {"version", version()},
+              {"started", fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(now))}},
+             options.fresh);
+  StudyResult result{settings, device.info, log.header().value("started", ""), std::string(version()), {}, {},
+                     0,        log.moved()};
+
+  const std::vector<PlannedRun> plan = plan_runs(settings);
+  double total = settings.reference_groups * (settings.reference_samples + kCostOfARender);
+  for (const PlannedRun& run : plan) total += run.samples + kCostOfARender;
+  double done = 0;
+  Progress progress("study", total, options.quiet);
+  const auto step = [&](std::uint32_t samples, const std::string& note) {
+    done += samples + kCostOfARender;
+    progress.update(done, note);
+    if (options.interrupted()) {
+      throw Interrupted(
+          fmt::format("stopped; {} of {} runs are kept in {}, and the same command goes on from there",
+                      log.records().size(), plan.size(), options.directory.string()));
+    }
+  };
+
+  const fs::path reference_path = options.directory / "reference.exr";
+  if (auto kept = options.fresh ? std::nullopt : read_reference(reference_path, hash)) {
+    result.reference = std::move(*kept);
+    done += settings.reference_groups * (settings.reference_samples + kCostOfARender);
+  } else {
+    std::vector<Image> groups;
+    for (std::uint32_t g = 0; g < settings.reference_groups; ++g) {
+      groups.push_back(device.render(make_reference_job(settings, g)).image);
+      step(settings.reference_samples, "reference image");
+    }
+    result.reference = combine_groups(groups);
+    write_reference(reference_path, result.reference, settings, hash);
+  }
+
+  std::set<std::string> warm;  // kernels are compiled on first use: a render that does not count comes before
+  for (const PlannedRun& run : plan) {
+    if (const RunRecord* finished = log.find(run)) {
+      result.records.push_back(*finished);
+      ++result.resumed;
+      done += run.samples + kCostOfARender;
+      continue;
+    }
+    if (warm.insert(run.sampler).second) device.render(make_job(settings, {run.sampler, 1, 0}));
+    RunRecord record = measure(run, settings, device.render, result.reference);
+    log.append(record);
+    result.records.push_back(std::move(record));
+    step(run.samples, fmt::format("{} at {} samples, seed {}", run.sampler, run.samples, run.seed));
+  }
+  return result;
+}
+
+}  // namespace capcon

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "study/reference_image.h"
+#include "study/run_record.h"
+
+namespace capcon {
+
+/// Something that renders the study's scene at one image size.
+struct StudyDevice {
+  RenderJob render;
+  nlohmann::json info;  ///< name, driver, ... for the report
+};
+/// Makes one for a width and a height.
+using MakeStudyDevice = std::function<StudyDevice(int width, int height)>;
+
+struct RunnerOptions {
+  std::filesystem::path directory;
+  bool fresh = false;  ///< measure again what is already there
+  bool quiet = false;
+  /// Asked between renders: true stops the study with Interrupted.
+  std::function<bool()> interrupted = [] { return false; };
+};
+
+/// The user stopped the study; what was finished is kept. Exit code 1.
+class Interrupted : public Failure {
+ public:
+  using Failure::Failure;
+};
+
+/// All that was measured.
+struct StudyResult {
+  StudySettings settings;
+  nlohmann::json device;
+  std::string started;  ///< UTC, of the first measurement: "2026-01-31 12:34"
+  std::string version;
+  ReferenceImage reference;
+  std::vector<RunRecord> records;  ///< in the plan's order
+  std::size_t resumed = 0;         ///< how many of them were there before
+  std::filesystem::path moved;     ///< where older runs with other settings were put, if there were any
+};
+
+/// Makes reference.exr and runs.jsonl in options.directory (it is created), or goes on with those that are
+/// there.
+StudyResult run_study(const StudySettings& settings, const StudyDevice& device, const RunnerOptions& options);
+
+}  // namespace capcon

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "study/figures.h"
+#include "study/runner.h"
+
+namespace capcon {
+
+struct StudyReport {
+  StudyResult result;
+  Figures figures;
+  nlohmann::json json;         ///< as in study.json
+  std::filesystem::path page;  ///< report.html
+};
+
+/// The whole study: measures or goes on, computes the figures, renders close-ups if the settings want them,
+/// and writes study.json and report.html.
+StudyReport ambient_occlusion_study(const StudySettings& settings, const MakeStudyDevice& make_device,
+                                    const RunnerOptions& options);
+
+}  // namespace capcon
