@@ -29,10 +29,14 @@ class Collapser {
     const glm::dvec3 extent = box.high - box.low;
     const double largest = std::max({extent.x, extent.y, extent.z, 1e-30});
     for (int a = 0; a < 3; ++a) {
+      // Both rounded to float, as the device has them: the origin downwards, the scale so that the far end still fits. Spare
+      // cells on either side take up the margin and the rounding.
       const double e = std::max(extent[a], largest * 1e-6);
-      bvh_.grid_scale[a] = static_cast<float>((kCells - 4) / e);
-      // Rounded to float, as the device has it; the two spare cells on either side take up the rounding.
-      bvh_.grid_origin[a] = static_cast<float>(box.low[a] - 2.0 * e / (kCells - 4));
+      const double origin = box.low[a] - 2 * e / (kCells - 8);
+      auto rounded = static_cast<float>(origin);
+      if (rounded > origin) rounded = std::nextafter(rounded, -3e38f);
+      bvh_.grid_origin[a] = rounded;
+      bvh_.grid_scale[a] = static_cast<float>((kCells - 4) / (box.low[a] + e - rounded));
     }
     bvh_.texels.resize(4);
     std::vector<Pending> stack{{0, 0}};

@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include "render/renderer.h"
+#include "render/small_scenes.h"
+
+namespace capcon {
+namespace {
+
+// The shader's samplers give the host's bits, for every sampler, kind of count and dimension pair.
+TEST(SamplePoints, DeviceAndHostAgreeToTheBit) {
+  const Scene scene = testing::random_soup(3, 1, 4, 4);
+  for (const char* fetch : {"texel", "storage"}) {
+    Renderer renderer(scene, {"lavapipe", fetch, true});
+    for (const std::string& name : sampler_names()) {
+      for (std::uint32_t count : {1u, 2u, 7u, 12u, 16u, 17u, 32u, 50u, 64u, 100u, 128u, 2400u}) {
+        if (name == "ccvt" && count > 128) continue;
+        const auto sampler = make_sampler(name, count, 42);
+        const std::uint32_t pixels = count > 1000 ? 3 : 20;
+        for (std::uint32_t dimension : {0u, 1u, 3u}) {
+          const auto points = renderer.sample_points(*sampler, pixels, dimension);
+          std::size_t different = 0;
+          for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
+            for (std::uint32_t i = 0; i < count; ++i) {
+              if (points[std::size_t(pixel) * count + i] != sampler->sample(pixel, i, dimension)) ++different;
+            }
+          }
+          EXPECT_EQ(different, 0u) << fetch << " " << name << " count " << count << " dimension " << dimension;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace capcon
