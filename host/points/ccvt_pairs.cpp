@@ -18,7 +18,9 @@ glm::dvec2 wrapped(glm::dvec2 d) {
 
 CcvtPairs::Circle CcvtPairs::circle_of(const CcvtSite& site) {
   const double x = site.centre.x + site.x, y = site.centre.y + site.y;
-  return {glm::dvec2(x, y) * 0x1p-32, (site.reach + std::hypot(site.x, site.y)) * 0x1p-32, 0};
+  glm::dvec2 centre = glm::dvec2(x, y) * 0x1p-32;
+  centre -= glm::floor(centre);
+  return {centre, (site.reach + std::hypot(site.x, site.y)) * 0x1p-32, 0};
 }
 
 bool CcvtPairs::is_stale(const CcvtCells& cells) const {
@@ -46,45 +48,58 @@ bool CcvtPairs::refresh(const CcvtCells& cells, std::uint32_t time) {
 }
 
 void CcvtPairs::find() {
+  struct Entry {
+    glm::dvec2 centre;
+    double reach;
+    std::uint32_t index;
+  };
   pairs_.clear();
   const std::size_t n = circles_.size();
   const int side = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(n) / 2)));
-  const auto cell_of = [&](double v) {
-    return std::min(side - 1, static_cast<int>((v - std::floor(v)) * side));
-  };
-  std::vector<std::uint32_t> start(static_cast<std::size_t>(side) * side + 1, 0), order(n), home(n);
+  const auto cell_of = [&](double v) { return std::min(side - 1, static_cast<int>(v * side)); };
+  std::vector<std::uint32_t> start(static_cast<std::size_t>(side) * side + 1, 0), home(n);
   for (std::size_t i = 0; i < n; ++i) {
     home[i] =
         static_cast<std::uint32_t>(cell_of(circles_[i].centre.y) * side + cell_of(circles_[i].centre.x));
     ++start[home[i] + 1];
   }
   for (std::size_t c = 0; c + 1 < start.size(); ++c) start[c + 1] += start[c];
+  std::vector<Entry> entries(n);
   {
     std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
-    for (std::uint32_t i = 0; i < n; ++i) order[at[home[i]]++] = i;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      entries[at[home[i]]++] = {circles_[i].centre, circles_[i].radius + circles_[i].slack, i};
+    }
   }
   for (std::uint32_t i = 0; i < n; ++i) {
-    const Circle& a = circles_[i];
-    const double radius = a.radius + a.slack;
-    const int home_x = static_cast<int>(home[i]) % side, home_y = static_cast<int>(home[i]) / side;
-    // A pair is found from its larger circle, so twice its radius is as far as one has to look.
-    const int rings = std::min(side / 2 + 1, static_cast<int>(2 * radius * side) + 1);
-    const bool everywhere = 2 * rings + 1 >= side;
-    for (int row = everywhere ? 0 : home_y - rings; row <= (everywhere ? side - 1 : home_y + rings); ++row) {
-      for (int column = everywhere ? 0 : home_x - rings; column <= (everywhere ? side - 1 : home_x + rings);
-           ++column) {
-        const std::size_t cell =
-            static_cast<std::size_t>((row + side) % side) * side + (column + side) % side;
-        for (std::uint32_t e = start[cell]; e < start[cell + 1]; ++e) {
-          const std::uint32_t j = order[e];
-          const Circle& b = circles_[j];
-          const double other = b.radius + b.slack;
-          if (other > radius || (other == radius && j >= i)) continue;
-          const glm::dvec2 d = wrapped(b.centre - a.centre);
-          if (glm::dot(d, d) < (radius + other) * (radius + other)) {
-            pairs_.push_back({std::min(i, j), std::max(i, j), 0});
-          }
+    const glm::dvec2 centre = circles_[i].centre;
+    const double reach = circles_[i].radius + circles_[i].slack;
+    const auto look = [&](int x, int y, glm::dvec2 shift, bool wrap) {
+      const std::size_t cell = static_cast<std::size_t>(y) * side + x;
+      for (std::uint32_t e = start[cell]; e < start[cell + 1]; ++e) {
+        const Entry& other = entries[e];
+        // A pair is found from its larger circle, so that twice the radius is as far as one has to look.
+        if (other.reach > reach || (other.reach == reach && other.index >= i)) continue;
+        glm::dvec2 d = other.centre - centre + shift;
+        if (wrap) d = wrapped(d);
+        if (glm::dot(d, d) < (reach + other.reach) * (reach + other.reach)) {
+          pairs_.push_back({std::min(i, other.index), std::max(i, other.index), 0});
         }
+      }
+    };
+    const int x = static_cast<int>(home[i]) % side, y = static_cast<int>(home[i]) / side;
+    const int rings = static_cast<int>(std::min<double>(2 * reach * side + 1, side));
+    if (2 * rings + 1 >= side) {  // all around the torus: every cell once
+      for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) look(column, row, glm::dvec2(0), true);
+      }
+      continue;
+    }
+    for (int row = y - rings; row <= y + rings; ++row) {
+      const int around_y = row < 0 ? -1 : row >= side ? 1 : 0;
+      for (int column = x - rings; column <= x + rings; ++column) {
+        const int around_x = column < 0 ? -1 : column >= side ? 1 : 0;
+        look(column - around_x * side, row - around_y * side, {around_x, around_y}, false);
       }
     }
   }
