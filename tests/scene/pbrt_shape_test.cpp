@@ -150,13 +150,13 @@ TEST(PbrtShape, TheFirstBrokenMeshFileIsReported) {
   const Folder folder;
   std::string text = "WorldBegin\n";
   for (int i = 0; i < 8; ++i) {
-    const std::string name = "m" + std::to_string(i) + ".ply";
+    const std::string name = std::to_string(i) + ".ply";
     folder.write(name, i < 3 ? std::string(kPly) : "plyy\n");
     text += "Shape \"plymesh\" \"string filename\" \"" + name + "\"\n";
   }
   const std::string main = folder.write("main.pbrt", text);
   EXPECT_EQ(test::error_of([&] { read_scene(main); }),
-            folder.path("m3.ply") + ":1: this is no PLY file: its first line is not \"ply\"");
+            folder.path("3.ply") + ":1: this is no PLY file: its first line is not \"ply\"");
 }
 
 }  // namespace
