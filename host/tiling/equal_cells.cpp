@@ -1,6 +1,7 @@
 #include "tiling/equal_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -9,6 +10,10 @@ namespace {
 
 // Neighbours are sought as far as this many mean spacings.
 constexpr double kReach = 3;
+// ... and sought again when a point has moved by this many since.
+constexpr double kSearchAgain = 0.25;
+constexpr double kTooSmall = 0.05;  // of the mean area
+constexpr int kNewtonSteps = 12;
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -45,12 +50,32 @@ void EqualCells::find_neighbours(const TiedPoints& points) {
       for (std::size_t other = first; other < first + per_tile_; ++other) {
         if (k == 4 && other == site) continue;  // not itself, but its images on a small torus are neighbours
         const glm::dvec2 offset = points.free[free_point_[other]].position + shift - here;
-        const double distance2 = glm::dot(offset, offset);
-        if (distance2 < reach2) list.push_back({offset, distance2, std::uint32_t(other)});
+        if (glm::dot(offset, offset) < reach2) list.push_back({{}, 0, std::uint32_t(other), shift});
       }
     }
-    std::stable_sort(list.begin(), list.end(),
-                     [](const Neighbour& a, const Neighbour& b) { return a.distance2 < b.distance2; });
+  }
+  searched_at_ = points.free;
+}
+
+void EqualCells::place_neighbours(const TiedPoints& points) {
+  double moved2 = 0;
+  for (std::size_t i = 0; i < searched_at_.size(); ++i) {
+    const glm::dvec2 move = points.free[i].position - searched_at_[i].position;
+    moved2 = std::max(moved2, glm::dot(move, move));
+  }
+  if (searched_at_.empty() || moved2 > kSearchAgain * kSearchAgain * target_) find_neighbours(points);
+  for (std::size_t site = 0; site < site_count(); ++site) {
+    std::vector<Neighbour>& list = neighbours_[site];
+    const glm::dvec2 here = points.free[free_point_[site]].position;
+    for (std::size_t k = 0; k < list.size();
+         ++k) {  // insertion sort: the list is nearly sorted from the last time
+      Neighbour n = list[k];
+      n.offset = points.free[free_point_[n.site]].position + n.tile - here;
+      n.distance2 = glm::dot(n.offset, n.offset);
+      std::size_t at = k;
+      for (; at > 0 && list[at - 1].distance2 > n.distance2; --at) list[at] = list[at - 1];
+      list[at] = n;
+    }
   }
 }
 
@@ -63,6 +88,12 @@ double EqualCells::residual2() const {
   double sum = 0;
   for (const PowerCell& cell : cells_) sum += (cell.area - target_) * (cell.area - target_);
   return sum;
+}
+
+double EqualCells::worst_error() const {
+  double worst = 0;
+  for (const PowerCell& cell : cells_) worst = std::max(worst, std::abs(cell.area - target_));
+  return worst;
 }
 
 double EqualCells::least_area() const {
@@ -109,24 +140,27 @@ std::vector<double> EqualCells::newton_direction() const {
 }
 
 void EqualCells::solve(const TiedPoints& points, double tolerance) {
-  find_neighbours(points);
+  place_neighbours(points);
   compute_cells();
-  if (least_area() <= 0.05 * target_) {  // the last weights do not suit: start from the Voronoi cells
-    std::fill(weights_.begin(), weights_.end(), 0.0);
+  if (least_area() <= kTooSmall * target_) use_voronoi_cells();  // the last weights do not suit any more
+  for (int step = 0; step < kNewtonSteps && worst_error() > tolerance * target_; ++step)
+    if (!newton_step()) return use_voronoi_cells();
+}
+
+void EqualCells::use_voronoi_cells() {
+  std::fill(weights_.begin(), weights_.end(), 0.0);
+  compute_cells();
+}
+
+bool EqualCells::newton_step() {
+  const std::vector<double> direction = newton_direction(), before = weights_;
+  const double r2 = residual2(), floor = 0.5 * least_area();
+  for (double alpha = 1; alpha > 0.01; alpha /= 2) {
+    for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = before[i] + alpha * direction[i];
     compute_cells();
+    if (least_area() >= floor && residual2() <= (1 - alpha / 2) * (1 - alpha / 2) * r2) return true;
   }
-  for (int step = 0; step < 50; ++step) {
-    double worst = 0;
-    for (const PowerCell& cell : cells_) worst = std::max(worst, std::abs(cell.area - target_));
-    if (worst <= tolerance * target_) break;
-    const std::vector<double> direction = newton_direction(), before = weights_;
-    const double r2 = residual2(), floor = 0.5 * least_area();
-    for (double alpha = 1; alpha > 1e-4; alpha /= 2) {
-      for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = before[i] + alpha * direction[i];
-      compute_cells();
-      if (least_area() >= floor && residual2() <= (1 - alpha / 2) * (1 - alpha / 2) * r2 * 1.0001) break;
-    }
-  }
+  return false;
 }
 
 double EqualCells::energy() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,7 +21,8 @@ class EqualCells {
              const TiedPoints& points);
 
   /// Solves for the points' present positions, from the last solution on, until every area is within
-  /// `tolerance` of 1/nt, relatively.
+  /// `tolerance` of 1/nt, relatively. Far from the optimum, where Newton's steps may fail, it leaves the
+  /// Voronoi cells instead.
   void solve(const TiedPoints& points, double tolerance);
 
   const std::vector<PowerCell>& cells() const { return cells_; }
@@ -32,8 +34,12 @@ class EqualCells {
 
  private:
   void find_neighbours(const TiedPoints& points);
+  void place_neighbours(const TiedPoints& points);
   void compute_cells();
+  void use_voronoi_cells();
+  bool newton_step();
   double residual2() const;
+  double worst_error() const;
   double least_area() const;
   std::vector<double> newton_direction() const;
 
@@ -42,6 +48,7 @@ class EqualCells {
   std::vector<std::uint32_t> free_point_;
   std::vector<std::array<std::uint32_t, 9>> around_;  ///< per tile the tiles at (-1..1, -1..1)
   std::vector<std::vector<Neighbour>> neighbours_;
+  std::vector<TiedPoints::FreePoint> searched_at_;  ///< the free points when neighbours were sought last
   std::vector<double> weights_;
   std::vector<PowerCell> cells_;
 };

@@ -34,11 +34,14 @@ void for_each_frequency(const TiedPoints& points, double reach, Visit visit) {
   const std::size_t count = points.free.size();
   // powers[(m + top) * count + i] = exp(-2 pi i m x_i)
   std::vector<Complex> in_x((2 * top + 1) * count), in_y((2 * top + 1) * count), terms(count);
-  for (std::size_t i = 0; i < count; ++i)
-    for (int m = -top; m <= top; ++m) {
-      in_x[(m + top) * count + i] = turn(m * points.free[i].position.x);
-      in_y[(m + top) * count + i] = turn(m * points.free[i].position.y);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Complex x = turn(points.free[i].position.x), y = turn(points.free[i].position.y);
+    Complex px = 1, py = 1;
+    for (int m = 0; m <= top; ++m, px = times(px, x), py = times(py, y)) {
+      in_x[(top + m) * count + i] = px, in_x[(top - m) * count + i] = std::conj(px);
+      in_y[(top + m) * count + i] = py, in_y[(top - m) * count + i] = std::conj(py);
     }
+  }
   for (int n = 0; n <= top; ++n)
     for (int m = n == 0 ? 1 : -top; m <= top; ++m) {
       if (m * m + n * n > reach * reach) continue;

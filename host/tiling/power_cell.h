@@ -11,6 +11,7 @@ struct Neighbour {
   glm::dvec2 offset{0};  ///< where it lies
   double distance2 = 0;  ///< |offset|^2
   std::uint32_t site = 0;
+  glm::dvec2 tile{0};  ///< of its tile relative to this one's
 };
 
 /// The cell of a site in a power diagram (Aurenhammer 1987): all x with |x|^2 - w <= |x - offset|^2 -

@@ -5,12 +5,12 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.h"
+#include "points/measure.h"
 #include "tiling/mean_tile.h"
 
 namespace capcon {
 namespace {
 
-constexpr double kHexagons = 0.16037507477489604;  // 5 / (18 sqrt 3): n E of regular hexagons
 constexpr int kGradientSteps = 8;
 constexpr double kMargin = 1e-6;        // points stay this far inside their tile
 constexpr double kReachInSpacings = 2;  // frequencies of the mean tile, in units of sqrt(nt)
@@ -70,7 +70,7 @@ double TiedOptimiser::round(double tolerance, double stride) {
 
   // For fixed cells of equal area the energy is sum over free points of mass |position - target|^2 + a
   // constant.
-  const double scale = points_.points_per_tile / kHexagons;
+  const double scale = points_.points_per_tile / kHexagonEnergy;
   std::vector<double> mass(points_.free.size());
   std::vector<glm::dvec2> target(points_.free.size(), glm::dvec2(0));
   energy_ = 0;

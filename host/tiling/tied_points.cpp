@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -12,6 +14,8 @@ namespace {
 
 constexpr RegionKind kKinds[] = {RegionKind::corner, RegionKind::horizontal_edge, RegionKind::vertical_edge,
                                  RegionKind::interior};
+
+constexpr std::uint64_t kCandidates = 8;
 
 struct Box {
   glm::dvec2 low, high;
@@ -31,6 +35,26 @@ Box start_box(RegionKind kind, std::uint32_t part, RegionCounts counts, std::uin
     default:
       return {glm::dvec2(depth), glm::dvec2(1 - depth)};
   }
+}
+
+// Of some random places the one that is farthest from the points that its tiles have already (Mitchell 1991).
+void place_apart(TiedPoints& points, std::uint32_t index, Box box, std::uint64_t seed) {
+  double farthest = -1;
+  glm::dvec2 best(0);
+  for (std::uint64_t k = 0; k < kCandidates; ++k) {
+    const glm::dvec2 u(uniform64(seed, index, 2 * k), uniform64(seed, index, 2 * k + 1));
+    const glm::dvec2 place = box.low + u * (box.high - box.low);
+    double nearest = 1;
+    for (const auto& tile : points.tiles)
+      if (!tile.empty() && tile.back() == index)
+        for (std::size_t i = 0; i + 1 < tile.size(); ++i) {
+          glm::dvec2 d = place - points.free[tile[i]].position;
+          d -= glm::floor(d + 0.5);
+          nearest = std::min(nearest, glm::dot(d, d));
+        }
+    if (nearest > farthest) farthest = nearest, best = place;
+  }
+  points.free[index].position = best;
 }
 
 std::uint32_t power(std::uint32_t base, std::uint32_t exponent) {
@@ -62,10 +86,10 @@ TiedPoints random_tied_points(std::uint32_t colours, std::uint32_t points_per_ti
         const std::uint32_t part = slot / per_part;
         const Box box = start_box(kind, part, counts, points_per_tile);
         const std::uint64_t stream = result.free.size();
-        const glm::dvec2 u(uniform64(seed, stream, 0), uniform64(seed, stream, 1));
         for (std::uint32_t t = 0; t < result.tiles.size(); ++t)
           if (tile_region(colours, t, kind, part) == region) result.tiles[t].push_back(std::uint32_t(stream));
-        result.free.push_back({kind, region, part, slot, 1.0 / regions, box.low + u * (box.high - box.low)});
+        result.free.push_back({kind, region, part, slot, 1.0 / regions, {}});
+        place_apart(result, std::uint32_t(stream), box, seed);
       }
   }
   return result;

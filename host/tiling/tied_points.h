@@ -33,7 +33,8 @@ struct TiedPoints {
   std::vector<std::vector<std::uint32_t>> tiles;  ///< per tile the indices of its free points
 };
 
-/// Free points at random places of rectangles of the right area, addressed by (seed, region, slot).
+/// Free points at random places, apart from each other, in rectangles of the right area; deterministic by
+/// seed.
 TiedPoints random_tied_points(std::uint32_t colours, std::uint32_t points_per_tile, RegionCounts counts,
                               std::uint64_t seed);
 

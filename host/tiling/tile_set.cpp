@@ -33,7 +33,9 @@ std::string_view region_name(RegionKind kind) {
   }
 }
 
-std::string format_tile_set(const TileSet& set) {
+namespace {
+
+std::string body(const TileSet& set) {
   std::string text = fmt::format("capcon-tiles 1\ncolours {}\npoints {}\nrecipe {}\n", set.colours,
                                  set.points_per_tile, set.recipe);
   for (std::size_t t = 0; t < set.tiles.size(); ++t) {
@@ -42,6 +44,17 @@ std::string format_tile_set(const TileSet& set) {
       text +=
           fmt::format("{} {} {} {} {}\n", p.position.x, p.position.y, region_name(p.kind), p.region, p.slot);
   }
+  return text;
+}
+
+}  // namespace
+
+std::uint64_t checksum(const TileSet& set) {
+  return fnv1a64(body(set));
+}
+
+std::string format_tile_set(const TileSet& set) {
+  const std::string text = body(set);
   return text + fmt::format("checksum fnv1a64 {:016x}\n", fnv1a64(text));
 }
 

@@ -56,6 +56,9 @@ void write_tile_set(const std::filesystem::path& path, const TileSet& set);
 TileSet parse_tile_set(std::string_view text, const std::string& name);
 std::string format_tile_set(const TileSet& set);
 
+/// The checksum that stands in the set's file.
+std::uint64_t checksum(const TileSet& set);
+
 /// The shipped set tiles/c<colours>n<points>.tiles.
 TileSet shipped_tile_set(std::uint32_t colours = 2, std::uint32_t points_per_tile = 16);
 
