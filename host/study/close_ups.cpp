@@ -9,9 +9,9 @@
 namespace capcon {
 namespace {
 
-constexpr double kPicturePixels = 92e3;
-constexpr std::uint32_t kPictureSamples = 512;
-constexpr double kRegionPart = 0.25;  // of the picture's width
+constexpr double kPicturePixels = 144e3;
+constexpr std::uint32_t kPictureSamples = 256;
+constexpr double kRegionPart = 0.22;  // of the picture's width
 
 Image difference(const Image& a, const Image& b) {
   Image result = a;

@@ -37,28 +37,47 @@ std::string headline(const StudySettings& settings, const Figures& figures, cons
   return fmt::format("{} needs {}.", subject, enumerate(parts));
 }
 
-/// "lower at 8, 16 and 32 samples; higher at 1; no difference shown at 2"
+/// "2, 8 to 64": three and more neighbours of the study's list are drawn together.
+std::string counts_text(const StudySettings& settings, const std::vector<std::uint32_t>& counts) {
+  std::vector<std::string> words;
+  const auto place = [&](std::uint32_t n) {
+    return std::find(settings.samples.begin(), settings.samples.end(), n) - settings.samples.begin();
+  };
+  for (std::size_t i = 0; i < counts.size();) {
+    std::size_t last = i;
+    while (last + 1 < counts.size() && place(counts[last + 1]) == place(counts[last]) + 1) ++last;
+    if (last >= i + 2) {
+      words.push_back(fmt::format("{} to {}", counts[i], counts[last]));
+      i = last + 1;
+    } else {
+      words.push_back(fmt::format("{}", counts[i++]));
+    }
+  }
+  return enumerate(words) + (counts.back() == 1 ? " sample" : " samples");
+}
+
+/// "With as many samples, capcon errs less than sobol-xor at 8 to 64 samples and more at 1 sample; ..."
 std::string equal_samples(const StudySettings& settings, const Figures& figures, const std::string& subject,
                           const std::string& baseline) {
   if (settings.seeds < 2) return {};  // no interval, so no difference can be shown
-  std::vector<std::string> lower, higher, open;
+  std::vector<std::uint32_t> less, more, open;
   for (const std::uint32_t n : settings.samples) {
     const Ratio* r = figures.ratio(subject, baseline, n);
     if (!r || std::isnan(r->mse.value)) continue;
-    (r->mse.below(1) ? lower : r->mse.above(1) ? higher : open).push_back(fmt::format("{}", n));
+    (r->mse.below(1) ? less : r->mse.above(1) ? more : open).push_back(n);
   }
-  std::vector<std::string> parts;
-  const auto add = [&](const char* what, const std::vector<std::string>& counts) {
-    if (!counts.empty()) parts.push_back(fmt::format("{} at {}", what, enumerate(counts)));
-  };
-  add("lower", lower);
-  add("higher", higher);
-  add("not shown to differ", open);
-  if (parts.empty()) return {};
   std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
-  return fmt::format("At equal samples, {}'s mean squared error is, beside {}'s: {} samples.", subject,
-                     baseline, text);
+  if (!less.empty()) text += fmt::format("errs less than {} at {}", baseline, counts_text(settings, less));
+  if (!more.empty()) {
+    text += less.empty() ? fmt::format("errs more than {} at {}", baseline, counts_text(settings, more))
+                         : fmt::format(", more at {}", counts_text(settings, more));
+  }
+  if (!open.empty()) {
+    text += text.empty()
+                ? fmt::format("is not shown to differ from {} at {}", baseline, counts_text(settings, open))
+                : fmt::format("; no difference is shown at {}", counts_text(settings, open));
+  }
+  return text.empty() ? text : fmt::format("With as many samples, {} {}.", subject, text);
 }
 
 std::string best(const StudySettings& settings, const Figures& figures) {

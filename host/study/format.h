@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ std::string with_range(const Interval& v);
 std::string range(const Interval& v);
 /// "830 µs", "12.3 ms", "1.42 s"
 std::string duration(double seconds);
+/// "1,602,392"
+std::string grouped(std::uint64_t count);
 /// "16", "8 and 16", "4, 8 and 16"
 std::string enumerate(const std::vector<std::string>& words);
 

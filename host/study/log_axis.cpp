@@ -21,6 +21,13 @@ std::string whole_duration(double seconds) {
   return seconds < 0.9995 ? fmt::format("{:g} ms", seconds * 1e3) : fmt::format("{:g} s", seconds);
 }
 
+/// Round numbers of one decade, as many as the axis has room for.
+std::vector<double> plain_mantissas(double decades) {
+  if (decades < 0.5) return {1, 1.2, 1.4, 1.6, 1.8, 2, 2.5, 3, 4, 5, 6, 7, 8, 9};
+  if (decades < 1.2) return {1, 1.5, 2, 3, 4, 5, 7};
+  return {1, 2, 5};
+}
+
 }  // namespace
 
 LogAxis::LogAxis(double low, double high, double start, double end, Style style)
@@ -33,23 +40,25 @@ LogAxis::LogAxis(double low, double high, double start, double end, Style style)
     return;
   }
   const double decades = std::log10(high_ / low_);
-  for (int e = static_cast<int>(std::floor(std::log10(low_))); e <= std::ceil(std::log10(high_)); ++e) {
+  const int lowest = static_cast<int>(std::floor(std::log10(low_)));
+  for (int e = lowest; e <= std::ceil(std::log10(high_)); ++e) {
     const double power = std::pow(10.0, e);
+    if (style == Style::plain) {
+      for (const double mantissa : plain_mantissas(decades))
+        add(mantissa * power, fmt::format("{:g}", mantissa * power));
+      continue;
+    }
+    // On a short axis one decade alone would leave it without words.
+    const bool short_axis = decades < (style == Style::seconds ? 2.6 : 1.7);
     for (int mantissa = 1; mantissa < 10; ++mantissa) {
       const double value = mantissa * power;
-      // On a short axis one decade alone would leave it without words.
-      const bool word = mantissa == 1 || (decades < 1.7 && (mantissa == 2 || mantissa == 5)) ||
-                        (decades < 0.6 && mantissa != 7 && mantissa != 9);
       std::string label;
-      if (word) {
+      if (mantissa == 1 || (short_axis && (mantissa == 2 || mantissa == 5))) {
         label = style == Style::seconds ? whole_duration(value)
-                : style == Style::plain ? fmt::format("{:g}", value)
                 : mantissa == 1         ? power_of_ten(e)
                                         : fmt::format("{}·{}", mantissa, power_of_ten(e));
       }
       add(value, label);
-      if (style == Style::plain && decades < 0.6 && mantissa == 1)
-        add(1.5 * power, fmt::format("{:g}", 1.5 * power));
     }
   }
 }

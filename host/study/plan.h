@@ -21,7 +21,7 @@ struct StudySettings {
   std::vector<std::string> samplers;
   std::vector<std::uint32_t> samples = {1, 2, 4, 8, 16, 32, 64, 128, 256};
   std::uint32_t seeds = 8;                 ///< 1 ... seeds
-  std::uint32_t reference_samples = 2048;  ///< of each group, at each pixel
+  std::uint32_t reference_samples = 1024;  ///< of each group, at each pixel
   std::uint32_t reference_groups = 4;
   bool close_ups = true;
   std::string command;  ///< for the report

@@ -52,7 +52,7 @@ std::string html_report(const StudyResult& result, const Figures& figures,
       "<header><p class=\"kicker\">capcon study · ambient occlusion</p><h1>Error against run time, sampler "
       "by sampler</h1>"
       "<p class=\"small\">{} · {} × {} pixels · {} instanced triangles · {} · {}</p></header>\n<main>\n",
-      report_style(), escape(s.scene), s.width, s.height, s.instanced_triangles, escape(device),
+      report_style(), escape(s.scene), s.width, s.height, grouped(s.instanced_triangles), escape(device),
       escape(result.started));
   const auto section = [&](const char* id, const char* title, const std::string& body) {
     html += fmt::format("<section id=\"{}\"><h2>{}</h2>\n{}</section>\n", id, title, body);

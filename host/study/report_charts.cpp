@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -57,6 +58,7 @@ std::string error_chart(const StudyResult& result, const Figures& figures) {
 }
 
 std::string relative_chart(const StudyResult& result, const Figures& figures, const std::string& baseline) {
+  constexpr double kTooFar = 4;  // a line that goes farther would flatten all others
   Chart chart{"c-relative",
               "The same, beside " + baseline,
               "MSE divided by that of " + baseline + " at equal samples.",
@@ -66,23 +68,31 @@ std::string relative_chart(const StudyResult& result, const Figures& figures, co
               LogAxis::Style::plain,
               true,
               {}};
+  std::string left_out;
   for (const Curve& curve : figures.curves) {
     ChartLine line{curve.sampler,
                    sampler_style(curve.sampler, result.settings),
                    curve.sampler == study_subject(result.settings),
                    {},
                    {}};
+    double farthest = 0;
     for (const Cell& cell : curve.cells) {
       const Ratio* r = figures.ratio(curve.sampler, baseline, cell.samples);
       if (!r || std::isnan(r->mse.value)) continue;
+      farthest = std::max(farthest, r->mse.value);
       line.points.push_back({double(cell.samples), r->mse, true,
                              fmt::format("{}, {} samples: {} times the MSE of {}", curve.sampler,
                                          cell.samples, with_range(r->mse), baseline)});
     }
-    chart.lines.push_back(line);
+    if (farthest > kTooFar && !line.strong) {
+      left_out +=
+          fmt::format(" Left out: {}, up to {} times.", escape(curve.sampler), short_number(farthest));
+    } else {
+      chart.lines.push_back(line);
+    }
   }
-  return figure(
-      chart, fmt::format("Below the heavy line a sampler errs less than {} with as many samples.", baseline));
+  return figure(chart, fmt::format("Below the heavy line a sampler errs less than {} with as many samples.{}",
+                                   baseline, left_out));
 }
 
 std::string device_chart(const StudyResult& result, const Figures& figures) {

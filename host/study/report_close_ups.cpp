@@ -37,7 +37,8 @@ std::string report_close_ups(const StudySettings& settings, const CloseUps& c) {
           "reference for the close-ups.</figcaption></figure></div>",
           embedded_image(c.reference, 1, "The framed region, converged"));
   for (const std::uint32_t samples : c.samples) {
-    std::string renders, differences;
+    std::string renders = view(c.reference, 1, "The reference", "reference");
+    std::string differences = fmt::format("<p class=\"small\">|render − reference| × {:g}</p>", c.exposure);
     for (const CloseUp& v : c.views) {
       if (v.samples != samples) continue;
       const std::string name = svg_marker(sampler_style(v.sampler, settings)) + escape(v.sampler);
@@ -50,11 +51,11 @@ std::string report_close_ups(const StudySettings& settings, const CloseUps& c) {
         "<h3>{} samples a pixel</h3><div class=\"scroll\" role=\"region\" tabindex=\"0\" "
         "aria-label=\"Close-ups at "
         "{} samples\"><div class=\"views\" style=\"--n:{}\">{}{}</div></div>",
-        samples, samples, settings.samplers.size(), renders, differences);
+        samples, samples, settings.samplers.size() + 1, renders, differences);
   }
   return html +
          fmt::format(
-             "<p class=\"small\">Above the render, below it |render - reference| times {:g}, the same for "
+             "<p class=\"small\">Above the render, below it |render − reference| times {:g}, the same for "
              "all of "
              "them, both as sRGB. The region is the one where all samplers together err most at {} samples. "
              "Seed {} of each; MSE within the region.</p>",

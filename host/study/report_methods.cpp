@@ -16,8 +16,8 @@ std::string what_ran(const StudyResult& result, const Figures& figures) {
   const auto item = [&](const std::string& name, const std::string& value) {
     html += fmt::format("<dt>{}</dt><dd>{}</dd>", escape(name), escape(value));
   };
-  item("scene", fmt::format("{}: {} triangles, {} with instances", s.scene, s.unique_triangles,
-                            s.instanced_triangles));
+  item("scene", fmt::format("{}: {} triangles, {} with instances", s.scene, grouped(s.unique_triangles),
+                            grouped(s.instanced_triangles)));
   item("image", fmt::format("{} × {} pixels, image samples at pixel centres", s.width, s.height));
   item("radius", std::isfinite(s.radius) ? fmt::format("{:g} scene units", s.radius) : "unlimited");
   item("runs", fmt::format("{} samplers × {} sample counts × {} seeds (1 … {}) = {} renders",

@@ -38,7 +38,8 @@ std::string ratio_cell(const Interval& v, double even) {
 }
 
 std::string mse_table(const StudyResult& result, const Figures& figures) {
-  HtmlTable table("Mean squared error, with 95 % interval", head("samples", result));
+  HtmlTable table("Mean squared error, with 95 % interval; the lowest of each row underlined",
+                  head("samples", result));
   for (const std::uint32_t n : result.settings.samples) {
     double lowest = INFINITY;
     for (const Curve& curve : figures.curves) {
@@ -68,8 +69,8 @@ std::string slope_table(const StudyResult& result, const Figures& figures) {
       const Interval& v = curve.*slope;
       row.push_back(std::isnan(v.value)
                         ? kNone
-                        : cell(fmt::format("{:.2f}", v.value),
-                               std::isnan(v.low) ? "" : fmt::format("{:.2f} … {:.2f}", v.low, v.high)));
+                        : cell(fmt::format("{:.3f}", v.value),
+                               std::isnan(v.low) ? "" : fmt::format("{:.3f} … {:.3f}", v.low, v.high)));
     }
     table.row(row);
   };

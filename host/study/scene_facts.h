@@ -9,8 +9,8 @@ namespace capcon {
 /// A hash of all geometry, transforms and the camera: two scenes of equal fingerprint give the same images.
 std::uint64_t fingerprint(const Scene& scene);
 
-/// Length of the diagonal of the box around everything in world space (spheres and disks by their bounding boxes) but
-/// area lights, which may hang far away.
+/// Length of the diagonal of the box around everything in world space (spheres and disks by their bounding
+/// boxes) but area lights, which may hang far away.
 double diagonal(const Scene& scene);
 
 /// The radius of a study that was told none: a twentieth of the diagonal, to two digits.

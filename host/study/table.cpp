@@ -58,8 +58,8 @@ std::string mse_table(const StudyResult& result, const Figures& figures) {
   for (const Curve& curve : figures.curves) {
     const Interval& v = curve.slope;
     slopes.push_back(std::isnan(v.value)  ? "–"
-                     : std::isnan(v.high) ? fmt::format("{:.2f}", v.value)
-                                          : fmt::format("{:.2f} ±{:.2f}", v.value, v.high - v.value));
+                     : std::isnan(v.high) ? fmt::format("{:.3f}", v.value)
+                                          : fmt::format("{:.3f} ±{:.3f}", v.value, v.high - v.value));
   }
   grid.row(slopes);
   return grid.str();

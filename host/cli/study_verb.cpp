@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "cli/verbs.h"
+#include "reference/reference.h"
+#include "render/renderer.h"
+#include "sampling/sampler.h"
+#include "scene/scene.h"
+#include "study/scene_facts.h"
+#include "study/study.h"
+#include "study/table.h"
+
+namespace capcon::cli {
+namespace {
+
+/// Ctrl-C: the first stops between two renders, so that nothing is half-written; the second as usual.
+volatile std::sig_atomic_t stop_requested = 0;
+extern "C" void request_stop(int signal) {
+  stop_requested = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+constexpr double kCourtyardRadius = 2;    // metres
+constexpr double kDefaultPixels = 10240;  // a study of all samplers in two minutes on two cores
+
+struct Options {
+  StudySettings settings;
+  RunnerOptions runner;
+  std::string scene;
+  std::string directory = "report/ambient-occlusion";
+  std::string samples = "1,2,4..256";
+  std::string device = "best";
+  bool no_close_ups = false;
+  bool json = false;
+};
+
+/// The words after the program's name, those with blanks quoted.
+std::string command_line() {
+  std::string line = "capcon";
+  std::string bytes;
+  try {
+    bytes = read_file("/proc/self/cmdline");
+  } catch (const InputError&) {
+    return line + " study ambient-occlusion";
+  }
+  std::size_t begin = bytes.find('\0') + 1;
+  while (begin < bytes.size()) {
+    const std::size_t end = std::min(bytes.find('\0', begin), bytes.size());
+    const std::string word = bytes.substr(begin, end - begin);
+    line += word.find_first_of(" \t\"'\\$*") == std::string::npos && !word.empty() ? " " + word
+                                                                                   : " '" + word + "'";
+    begin = end + 1;
+  }
+  return line;
+}
+
+StudyDevice make_device(Scene scene, const std::string& device, int width, int height) {
+  scene.film.width = width;
+  scene.film.height = height;
+  if (device == "reference") {
+    auto reference = std::make_shared<Reference>(scene);
+    return {[reference](const AmbientOcclusionJob& job) { return reference->render(job); },
+            {{"name", "reference (double precision on the CPU)"}}};
+  }
+  RendererOptions options;
+  options.device = device;
+  auto renderer = std::make_shared<Renderer>(scene, options);
+  return {[renderer](const AmbientOcclusionJob& job) { return renderer->render(job); },
+          renderer->device_info()};
+}
+
+void run(Options& o) {
+  StudySettings& s = o.settings;
+  if (s.samplers.empty()) s.samplers = sampler_names();
+  for (std::size_t i = 0; i < s.samplers.size(); ++i) {
+    make_sampler(s.samplers[i], 1, 1);  // an unknown name is told before the work
+    if (std::find(s.samplers.begin(), s.samplers.begin() + static_cast<std::ptrdiff_t>(i), s.samplers[i]) !=
+        s.samplers.begin() + static_cast<std::ptrdiff_t>(i)) {
+      throw InputError(fmt::format("--samplers names {} twice", s.samplers[i]));
+    }
+  }
+  s.samples = parse_samples(o.samples);
+  s.close_ups = !o.no_close_ups;
+  s.command = command_line();
+  s.scene = o.scene.empty() ? "scenes/courtyard.pbrt (shipped)" : o.scene;
+  Scene scene = read_scene(o.scene.empty() ? shipped_file("scenes/courtyard.pbrt").string() : o.scene);
+  if (!o.runner.quiet) {
+    for (const std::string& warning : scene.warnings) fmt::print(stderr, "capcon: warning: {}\n", warning);
+  }
+  s.scene_fingerprint = fingerprint(scene);
+  s.unique_triangles = scene.unique_triangles();
+  s.instanced_triangles = scene.instanced_triangles();
+  if (s.radius == 0) s.radius = o.scene.empty() ? kCourtyardRadius : default_radius(scene);
+  set_film(scene, s.width, s.height, kDefaultPixels);
+  s.width = scene.film.width;
+  s.height = scene.film.height;
+
+  o.runner.directory = o.directory;
+  o.runner.interrupted = [] { return stop_requested != 0; };
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+  const StudyReport report = ambient_occlusion_study(
+      s, [&](int width, int height) { return make_device(scene, o.device, width, height); }, o.runner);
+  if (o.json) {
+    fmt::print("{}\n", report.json.dump(2));
+  } else {
+    fmt::print("{}", text_tables(report.result, report.figures));
+  }
+  if (!o.runner.quiet) {
+    if (!report.result.moved.empty()) {
+      fmt::print(stderr, "capcon: older runs with other settings are kept in {}\n",
+                 report.result.moved.string());
+    }
+    if (report.result.resumed > 0) {
+      fmt::print(stderr, "capcon: {} of {} runs were there before; --fresh measures them again\n",
+                 report.result.resumed, report.result.records.size());
+    }
+    fmt::print(stderr, "The report is {}\n",
+               std::filesystem::absolute(report.page).lexically_normal().string());
+  }
+}
+
+}  // namespace
+
+void add_study_verb(CLI::App& app) {
+  CLI::App* verb =
+      app.add_subcommand("study", "error against run time: samplers x samples x seeds, and a report");
+  verb->require_subcommand(1);
+  CLI::App* study = verb->add_subcommand("ambient-occlusion", "ambient occlusion of one scene");
+  auto o = std::make_shared<Options>();
+  StudySettings& s = o->settings;
+  study->add_option("scene", o->scene, ".pbrt, .ply or .obj (default: the shipped courtyard)");
+  study
+      ->add_option("-o,--output", o->directory,
+                   "folder for report.html, runs.jsonl, study.json, reference.exr")
+      ->capture_default_str();
+  study
+      ->add_option("--samplers", s.samplers,
+                   "any of: random jittered sobol-xor sobol-owen ccvt capcon (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  study->add_option("--samples", o->samples, "samples a pixel: counts and doubling ranges")
+      ->capture_default_str();
+  study->add_option("--seeds", s.seeds, "seeds 1 ... N; intervals need two at least")
+      ->check(CLI::Range(1u, 4096u))
+      ->capture_default_str();
+  study
+      ->add_option("--radius", s.radius,
+                   "occluders farther away do not count (default: 2 in the courtyard, else 1/20 of the "
+                   "scene's diagonal)")
+      ->check(CLI::PositiveNumber);
+  study->add_option("--width", s.width, "pixels (default: about 10,000 in all, in the film's shape)")
+      ->check(CLI::Range(1, 16384));
+  study->add_option("--height", s.height, "pixels")->check(CLI::Range(1, 16384));
+  study
+      ->add_option("--device", o->device,
+                   "best, lavapipe, a number of `capcon info`, part of a name, or reference")
+      ->capture_default_str();
+  study
+      ->add_option("--reference-samples", s.reference_samples,
+                   "samples a pixel of each of the reference's 4 groups")
+      ->check(CLI::Range(1u, 1u << 20))
+      ->capture_default_str();
+  study->add_flag("--no-close-ups", o->no_close_ups, "leave the larger pictures out of the report");
+  study->add_flag("--fresh", o->runner.fresh, "measure again what is already there");
+  study->add_flag("--json", o->json, "print study.json instead of tables");
+  study->add_flag("--quiet", o->runner.quiet, "no progress and no messages");
+  study->callback([o] { run(*o); });
+}
+
+}  // namespace capcon::cli
