@@ -78,6 +78,8 @@ void add_tiles_make(CLI::App& tiles) {
   verb->add_option("--starts", make.starts, "random starts, the best is finished")->capture_default_str();
   verb->add_option("--rounds", make.rounds, "rounds of the finish, a start gets half")->capture_default_str();
   verb->add_option("--tilings", make.tilings, "random 8 x 8 tilings to optimise on")->capture_default_str();
+  verb->add_option("--moves", make.moves, "moves of the ranking, per point of the set")
+      ->capture_default_str();
   verb->add_option("--flatness", make.flatness,
                    "how much an even mean tile counts against compact cells; 0 gives a lattice")
       ->capture_default_str()

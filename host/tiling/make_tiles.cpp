@@ -91,6 +91,7 @@ std::string recipe(const MakeTilesOptions& options) {
   add("starts", options.starts, defaults.starts);
   add("rounds", options.rounds, defaults.rounds);
   add("tilings", options.tilings, defaults.tilings);
+  add("moves", options.moves, defaults.moves);
   add("flatness", options.flatness, defaults.flatness);
   return text;
 }
@@ -120,7 +121,9 @@ TileSet make_tiles(const MakeTilesOptions& options) {
     if (options.on_round) options.on_round(done / total, finish.energy());
   });
   TileSet set = to_tile_set(finish.points(), recipe(options));
-  rank_points(set, options.seed);
+  if (const auto fault = find_region_fault(set))
+    throw Failure(fmt::format("no good set came out ({}); try another seed or more rounds", fault->message));
+  rank_points(set, options.seed, options.moves);
   return set;
 }
 

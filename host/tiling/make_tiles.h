@@ -20,7 +20,8 @@ struct MakeTilesOptions {
   std::uint32_t rounds = 200;  ///< rounds of the finish; a start gets half of them
   std::uint32_t tilings =
       24;  ///< random 8 x 8 tilings that the finish optimises on; a start has a third of them
-  double flatness = 0.001;  ///< see TiedOptimiser; 0 ends in a regular lattice
+  std::uint32_t moves = 20000;  ///< of the ranking, per point of the set
+  double flatness = 0.001;      ///< see TiedOptimiser; 0 ends in a regular lattice
   std::function<void(double done, double energy)> on_round;  ///< done in [0, 1]; may be empty
 };
 

@@ -25,6 +25,7 @@ std::uint32_t tile_region(std::uint32_t colours, std::uint32_t tile, RegionKind 
 /// The first violation of "all copies of a region hold the same points, and every tile holds all points of
 /// its regions"; also two equal points in a tile.
 struct RegionFault {
+  bool operator==(const RegionFault&) const = default;
   std::size_t tile = 0, rank = 0;
   std::string message;
 };

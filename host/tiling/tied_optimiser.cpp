@@ -12,15 +12,18 @@ namespace capcon {
 namespace {
 
 constexpr int kGradientSteps = 8;
-constexpr double kMargin = 1e-6;        // points stay this far inside their tile
+constexpr double kMargin =
+    1e-4;  // points stay inside their tile by this times 1, 2, ...: never two at one place
 constexpr double kReachInSpacings = 2;  // frequencies of the mean tile, in units of sqrt(nt)
 
-glm::dvec2 into_tile(glm::dvec2 p) {
-  return {std::clamp(p.x, kMargin, 1 - kMargin), std::clamp(p.y, kMargin, 1 - kMargin)};
+glm::dvec2 into_tile(glm::dvec2 p, std::uint32_t slot) {
+  const double margin = std::min(0.1, kMargin * (1 + slot));
+  return {std::clamp(p.x, margin, 1 - margin), std::clamp(p.y, margin, 1 - margin)};
 }
 
 TiedPoints moved(TiedPoints points, const std::vector<glm::dvec2>& positions) {
-  for (std::size_t i = 0; i < positions.size(); ++i) points.free[i].position = into_tile(positions[i]);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    points.free[i].position = into_tile(positions[i], points.free[i].slot);
   return points;
 }
 
@@ -93,7 +96,7 @@ double TiedOptimiser::round(double tolerance, double stride) {
       flatness_ > 0 ? flattened(points_, mass, target, flatness_, reach) : moved(points_, target);
   for (std::size_t i = 0; i < target.size(); ++i) {
     glm::dvec2& position = points_.free[i].position;
-    position = into_tile(position + stride * (best.free[i].position - position));
+    position = into_tile(position + stride * (best.free[i].position - position), best.free[i].slot);
   }
   return objective;
 }

@@ -16,9 +16,8 @@ namespace {
 constexpr double kReach = 1.6;  // of the potential, in spacings of the hexagonal lattice
 constexpr double kOneTileWeight =
     4;  // of the one-tile tilings, in parts of the infinite tiling's weight: few samples use them
-constexpr double kSmallPower = 3;  // r = 1, 2, 4, 8, ... count this much more than other r
-constexpr double kHeat = 1.5;      // first temperature, in potential of one point
-constexpr std::uint64_t kMovesPerPoint = 20000;
+constexpr double kSmallPower = 3;        // r = 1, 2, 4, 8, ... count this much more than other r
+constexpr double kHeat = 1.5;            // first temperature, in potential of one point
 constexpr std::uint32_t kAllRanks = 16;  // prefixes up to here all count, longer ones in steps of a half
 constexpr std::uint64_t kRankStream = 0x72616e6b;
 
@@ -137,11 +136,11 @@ class Ranking {
 
 }  // namespace
 
-void rank_points(TileSet& set, std::uint64_t seed) {
+void rank_points(TileSet& set, std::uint64_t seed, std::uint32_t moves_per_point) {
   const std::uint32_t nt = set.points_per_tile;
   if (nt < 2) return;
   Ranking ranking(set);
-  const std::uint64_t moves = kMovesPerPoint * set.tile_count() * nt;
+  const std::uint64_t moves = std::uint64_t(moves_per_point) * set.tile_count() * nt;
   for (std::uint64_t move = 0; move < moves; ++move) {
     const double cooling = 1 - double(move) / double(moves);
     const double temperature = kHeat / double(set.tile_count()) * cooling * cooling * cooling;

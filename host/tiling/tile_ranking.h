@@ -11,6 +11,6 @@ namespace capcon {
 /// (exact expectations over all pairs of tiles, no sampling) and in the one-tile tilings; pairs repel each
 /// other within a distance that grows with the spacing of r points a tile (void and cluster, Ulichney 1993).
 /// Annealed with swaps of two ranks; deterministic by seed.
-void rank_points(TileSet& set, std::uint64_t seed);
+void rank_points(TileSet& set, std::uint64_t seed, std::uint32_t moves_per_point = 20000);
 
 }  // namespace capcon
