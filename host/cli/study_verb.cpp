@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -154,7 +155,11 @@ void add_study_verb(CLI::App& app) {
       ->add_option("--radius", s.radius,
                    "occluders farther away do not count (default: 2 in the courtyard, else 1/20 of the "
                    "scene's diagonal)")
-      ->check(CLI::PositiveNumber);
+      ->check([](const std::string& text) {
+        char* end = nullptr;
+        return std::strtod(text.c_str(), &end) > 0 && *end == '\0' ? std::string()
+                                                                   : text + " is no positive number, nor inf";
+      });
   study->add_option("--width", s.width, "pixels (default: about 10,000 in all, in the film's shape)")
       ->check(CLI::Range(1, 16384));
   study->add_option("--height", s.height, "pixels")->check(CLI::Range(1, 16384));

@@ -100,7 +100,7 @@ std::string path(const std::vector<ChartPoint>& points, const LogAxis& x, const 
                  const char* attributes) {
   std::string data;
   for (const ChartPoint& p : points) {
-    data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? "M" : "L", x.place(p.x), y.place(p.y.value));
+    data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? "M" : "L", x.place(p.x.value), y.place(p.y.value));
   }
   return data.empty() ? "" : fmt::format("<path d=\"{}\" {}/>", data, attributes);
 }
@@ -110,10 +110,14 @@ std::string line_svg(const ChartLine& line, const LogAxis& x, const LogAxis& y) 
   svg += path(line.companion, x, y, "class=\"line companion\"");
   svg += path(line.points, x, y, "class=\"line\"");
   for (const ChartPoint& p : line.points) {
-    const double at_x = x.place(p.x);
+    const double at_x = x.place(p.x.value);
     if (std::isfinite(p.y.low) && p.y.low > 0) {
       svg += fmt::format("<line class=\"bar\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\"/>",
                          at_x, y.place(p.y.low), y.place(p.y.high));
+    }
+    if (std::isfinite(p.x.low) && p.x.low > 0) {
+      svg += fmt::format("<line class=\"bar\" x1=\"{1:.1f}\" x2=\"{2:.1f}\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/>",
+                         y.place(p.y.value), x.place(p.x.low), x.place(p.x.high));
     }
     svg += fmt::format(
         "<g>{}<title>{}</title></g>",
@@ -133,7 +137,7 @@ std::string names(const std::vector<ChartLine>& lines, const LogAxis& x, const L
   for (const ChartLine& line : lines) {
     if (line.points.empty()) continue;
     const double end = y.place(line.points.back().y.value);
-    all.push_back({&line, x.place(line.points.back().x), end, end});
+    all.push_back({&line, x.place(line.points.back().x.value), end, end});
   }
   std::sort(all.begin(), all.end(), [](const Name& a, const Name& b) { return a.y < b.y; });
   for (std::size_t i = 1; i < all.size(); ++i) all[i].at = std::max(all[i].at, all[i - 1].at + kNameHeight);
@@ -158,7 +162,7 @@ std::string svg_chart(const Chart& chart) {
   for (const ChartLine& line : chart.lines) {
     for (const auto* points : {&line.points, &line.companion}) {
       for (const ChartPoint& p : *points) {
-        xs.add(p.x);
+        for (const double v : {p.x.value, p.x.low, p.x.high}) xs.add(v);
         for (const double v : {p.y.value, p.y.low, p.y.high}) ys.add(v);
       }
     }

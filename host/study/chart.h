@@ -9,7 +9,7 @@
 namespace capcon {
 
 struct ChartPoint {
-  double x = 0;
+  Interval x;  ///< ends NaN where it is exact
   Interval y;
   bool sure = true;  ///< drawn filled; else hollow
   std::string note;  ///< shown by browsers under the pointer

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "study/chart.h"
 #include "study/findings.h"
@@ -13,7 +14,12 @@
 namespace capcon {
 namespace {
 
-using Place = std::function<double(const Cell&)>;
+using Place = std::function<Interval(const Cell&)>;
+
+Interval exactly(double v) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  return {v, kNone, kNone};
+}
 
 std::vector<ChartPoint> points_of(const Curve& curve, const Place& x) {
   std::vector<ChartPoint> points;
@@ -51,7 +57,7 @@ std::string error_chart(const StudyResult& result, const Figures& figures) {
               false,
               {}};
   for (const Curve& curve : figures.curves) {
-    chart.lines.push_back(line_of(curve, result.settings, [](const Cell& c) { return double(c.samples); }));
+    chart.lines.push_back(line_of(curve, result.settings, [](const Cell& c) { return exactly(c.samples); }));
   }
   return figure(chart,
                 "Lower is better. Bars: 95 % intervals over the seeds, often smaller than the marker.");
@@ -80,7 +86,7 @@ std::string relative_chart(const StudyResult& result, const Figures& figures, co
       const Ratio* r = figures.ratio(curve.sampler, baseline, cell.samples);
       if (!r || std::isnan(r->mse.value)) continue;
       farthest = std::max(farthest, r->mse.value);
-      line.points.push_back({double(cell.samples), r->mse, true,
+      line.points.push_back({exactly(cell.samples), r->mse, true,
                              fmt::format("{}, {} samples: {} times the MSE of {}", curve.sampler,
                                          cell.samples, with_range(r->mse), baseline)});
     }
@@ -106,11 +112,11 @@ std::string device_chart(const StudyResult& result, const Figures& figures) {
               false,
               {}};
   for (const Curve& curve : figures.curves) {
-    chart.lines.push_back(
-        line_of(curve, result.settings, [](const Cell& c) { return c.device_seconds.value; }));
+    chart.lines.push_back(line_of(curve, result.settings, [](const Cell& c) { return c.device_seconds; }));
   }
   return figure(
-      chart, "Sum of the device's own timestamps over all stages of a render; the clock is explained below.");
+      chart,
+      "Sum of the device's own timestamps over all stages of a render; bars across: its 95 % interval.");
 }
 
 std::string wall_chart(const StudyResult& result, const Figures& figures) {
@@ -124,8 +130,8 @@ std::string wall_chart(const StudyResult& result, const Figures& figures) {
               false,
               {}};
   for (const Curve& curve : figures.curves) {
-    ChartLine line = line_of(curve, result.settings, [](const Cell& c) { return c.wall_seconds.value; });
-    line.companion = points_of(curve, [](const Cell& c) { return c.wall_without_points.value; });
+    ChartLine line = line_of(curve, result.settings, [](const Cell& c) { return c.wall_seconds; });
+    line.companion = points_of(curve, [](const Cell& c) { return c.wall_without_points; });
     chart.lines.push_back(line);
   }
   return figure(

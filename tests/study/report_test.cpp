@@ -125,11 +125,12 @@ TEST(LogAxis, PlacesAndTicks) {
 TEST(Chart, NamesStandApartAndInside) {
   Chart chart{"c", "t", "d", "x", "y", LogAxis::Style::counts, LogAxis::Style::decades, false, {}};
   for (int i = 0; i < 6; ++i) {
-    chart.lines.push_back({"line" + std::to_string(i),
-                           i,
-                           false,
-                           {{1, {1, 1, 1}, true, ""}, {2, {0.5 + i * 1e-4, 0.5, 0.6}, true, ""}},
-                           {}});
+    chart.lines.push_back(
+        {"line" + std::to_string(i),
+         i,
+         false,
+         {{{1, 1, 1}, {1, 1, 1}, true, ""}, {{2, 2, 2}, {0.5 + i * 1e-4, 0.5, 0.6}, true, ""}},
+         {}});
   }
   const std::string svg = svg_chart(chart);
   const std::regex name("class=\"name\" x=\"[0-9.]+\" y=\"([0-9.]+)\"");
