@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/parallel.h"
 #include "cli/verbs.h"
@@ -10,9 +11,18 @@
 namespace capcon::cli {
 namespace {
 
+/// All devices; none where there is no driver, with the reason on stderr.
+std::vector<gpu::DeviceDescription> find_devices() {
+  try {
+    return gpu::Instance(false).devices();
+  } catch (const Failure& none) {
+    fmt::print(stderr, "capcon: {}\n", none.what());
+    return {};
+  }
+}
+
 void run(bool json) {
-  const gpu::Instance instance(false);
-  const auto devices = instance.devices();
+  const auto devices = find_devices();
   if (json) {
     nlohmann::json list = nlohmann::json::array();
     for (const auto& d : devices) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -50,6 +51,7 @@ void run(const Options& o) {
   if (o.width < 0 || o.height < 0 || o.width > 16384 || o.height > 16384) {
     throw InputError("--width and --height must be between 1 and 16384");
   }
+  if (!(o.job.radius > 0)) throw InputError("--radius must be above 0 (or inf)");
   make_sampler(o.job.sampler, 1, 1);  // an unknown name is said before the work
   check_writable(o.output);
   Scene scene = read_scene(o.scene);
