@@ -1,0 +1,182 @@
+#include "generator/courtyard.h"
+#include "generator/courtyard_plan.h"
+#include "generator/profiles.h"
+#include "generator/solids.h"
+#include "generator/wall.h"
+
+namespace capcon::scenes::court {
+
+namespace {
+constexpr double kThick = 0.4;
+constexpr double kRecess = 0.2;  // of doors and windows behind the wall's face
+
+std::vector<Vec2> frame_section() {
+  return Profile(0.15, -0.01)
+      .to(0.15, 0.03)
+      .by(-0.015, 0.015)
+      .by(-0.05, 0)
+      .by(-0.01, -0.015)
+      .by(-0.06, 0)
+      .by(-0.015, -0.01)
+      .by(-0.02, -0.02)
+      .by(0, -0.02)
+      .points();
+}
+
+/// A leaf of a door with six raised panels, its face at y = 0 towards -y.
+Mesh door_leaf(double x0, double x1, double z0, double z1) {
+  Mesh mesh = box(Vec3(x0, 0, z0), Vec3(x1, 0.06, z1), kSouth);
+  const double rail = 0.09, middle = 0.5 * (x0 + x1), height = (z1 - z0 - 4 * rail) / 3;
+  for (int row = 0; row < 3; ++row) {
+    const double z = z0 + rail + row * (height + rail);
+    for (const auto& [a, b] :
+         {std::pair(x0 + rail, middle - rail / 2), std::pair(middle + rail / 2, x1 - rail)}) {
+      mesh.append(bevelled_box(Vec3(a, -0.022, z), Vec3(b, 0.02, z + height), 0.018));
+    }
+  }
+  return mesh;
+}
+
+/// Glazing bars and panes of a window, at y = 0.
+Model casement(double half, double z0, double z1) {
+  Model model;
+  model.add("glass", box(Vec3(-half - 0.05, 0.03, z0 - 0.05), Vec3(half + 0.05, 0.04, z1 + 0.4), kSouth));
+  for (const double x : {-half + 0.035, 0.0, half - 0.035}) {
+    model.add("timber",
+              bevelled_box(Vec3(x - 0.04, -0.02, z0 - 0.02), Vec3(x + 0.04, 0.035, z1 + 0.3), 0.006));
+  }
+  const int rows = 4;
+  for (int i = 0; i <= rows; ++i) {
+    const double z = z0 + (z1 - z0) * i / rows;
+    model.add("timber", bevelled_box(Vec3(-half, -0.012, z - 0.022), Vec3(half, 0.03, z + 0.022), 0.005));
+  }
+  return model;
+}
+
+/// A louvred shutter, folded back against the wall at y = 0: x from x0 to x1.
+Mesh shutter(double x0, double x1, double z0, double z1) {
+  Mesh mesh;
+  for (const double x : {x0 + 0.03, x1 - 0.03})
+    mesh.append(bevelled_box(Vec3(x - 0.03, -0.06, z0), Vec3(x + 0.03, -0.02, z1), 0.004));
+  for (const double z : {z0 + 0.035, 0.5 * (z0 + z1), z1 - 0.035}) {
+    mesh.append(
+        bevelled_box(Vec3(x0 + 0.055, -0.058, z - 0.035), Vec3(x1 - 0.055, -0.022, z + 0.035), 0.004));
+  }
+  const Mesh slat =
+      box(Vec3(x0 + 0.055, -0.022, -0.003), Vec3(x1 - 0.055, 0.022, 0.003), kAllFaces & ~kWest & ~kEast);
+  for (double z = z0 + 0.1; z < z1 - 0.08; z += 0.045) {
+    if (std::abs(z - 0.5 * (z0 + z1)) > 0.05) mesh.append(slat, translate(0, -0.04, z) * rotate_x(35));
+  }
+  return mesh;
+}
+
+Model door(const Opening& o) {
+  Model model;
+  model.add("stone", archivolt(o, frame_section(), true));
+  const double top = o.springing + 0.45;
+  model.add("timber", door_leaf(-o.half_width - 0.02, -0.004, o.sill + 0.01, top), translate(0, kRecess, 0));
+  model.add("timber", door_leaf(0.004, o.half_width + 0.02, o.sill + 0.01, top), translate(0, kRecess, 0));
+  model.add("stone", bevelled_box(Vec3(-o.half_width - 0.16, -0.12, o.sill - 0.1),
+                                  Vec3(o.half_width + 0.16, kRecess + 0.05, o.sill + 0.02), 0.01));
+  return model;
+}
+
+Model window(const Opening& o, bool shutters) {
+  Model model;
+  model.add("stone", archivolt(o, frame_section(), true));
+  model.add(casement(o.half_width, o.sill, o.springing), translate(0, kRecess, 0));
+  model.add("stone", bevelled_box(Vec3(-o.half_width - 0.2, -0.09, o.sill - 0.09),
+                                  Vec3(o.half_width + 0.2, kRecess + 0.02, o.sill + 0.012), 0.012));
+  if (shutters) {
+    const double a = o.half_width + 0.17, b = a + o.half_width;
+    model.add("shutter", shutter(a, b, o.sill + 0.02, o.springing + 0.02));
+    model.add("shutter", shutter(-b, -a, o.sill + 0.02, o.springing + 0.02));
+  }
+  return model;
+}
+
+struct Storey {
+  double foot, head;
+  Opening opening;
+  bool door, shutters, open;
+};
+
+/// One bay of an outer wall, its face at y = 0, all storeys.
+Model outer_bay(bool door_below) {
+  Model model;
+  const Opening ground_door{
+      .half_width = 0.6, .sill = kFloor, .springing = 2.25, .arch = Arch::segmental, .segments = 12};
+  const Opening ground_window{.half_width = 0.5, .sill = 1.15, .springing = 2.4, .arch = Arch::flat};
+  const Opening upper_door{.half_width = 0.5, .sill = kGallery, .springing = 6.75, .arch = Arch::flat};
+  const Opening upper_window{.half_width = 0.42, .sill = 5.5, .springing = 6.75, .arch = Arch::flat};
+  const Opening attic{.half_width = 0.3, .sill = 9.75, .springing = 10.2, .arch = Arch::flat};
+  const auto storey = [&](double foot, double head, const Opening& o) {
+    model.add("plaster", wall({.from = -kBay / 2,
+                               .to = kBay / 2,
+                               .foot = foot,
+                               .head = head,
+                               .thickness = kThick,
+                               .back = false,
+                               .top = false,
+                               .openings = {o}}));
+  };
+  storey(-0.05, kGallery - 0.3, door_below ? ground_door : ground_window);
+  storey(kGallery - 0.3, 9.0, door_below ? upper_window : upper_door);
+  storey(9.0, kOuterHead, attic);
+  model.add(door_below ? door(ground_door) : window(ground_window, true));
+  model.add(door_below ? window(upper_window, false) : door(upper_door));
+  model.add(window(attic, false));
+  return model;
+}
+
+Model plain_wall(double length, double foot = -0.05) {
+  Model model;
+  model.add("plaster", wall({.from = 0,
+                             .to = length,
+                             .foot = foot,
+                             .head = kOuterHead,
+                             .thickness = kThick,
+                             .back = false,
+                             .top = false}));
+  return model;
+}
+
+/// Cornice and coping round all four outer walls, and their outsides.
+Model crown() {
+  const double x0 = -kHalfX - kWalk, x1 = kEastFace, y = kHalfY + kWalk;
+  const std::vector<Vec3> loop = {Vec3(x0, -y, 0), Vec3(x1, -y, 0), Vec3(x1, y, 0), Vec3(x0, y, 0)};
+  Profile p(-0.01, kOuterHead - 0.32);
+  p.by(0.03, 0)
+      .by(0, 0.06)
+      .curve(0.06, 0.07, 0.4, 5)
+      .by(0.02, 0)
+      .by(0, 0.03)
+      .curve(0.07, 0.08, -0.4, 5)
+      .by(0.02, 0)
+      .by(0, 0.09);
+  p.to(-0.2, kOuterHead + 0.1).to(-kThick - 0.06, kOuterHead).by(0, -0.1).by(0.06, 0).to(-kThick, -0.2);
+  Model model;
+  model.add("stone", moulding(p.points(), loop, true));
+  return model;
+}
+}  // namespace
+
+void add_outer_walls(Assembly& scene) {
+  scene.define("outer-door", outer_bay(true));
+  scene.define("outer-window", outer_bay(false));
+  scene.define("outer-corner", plain_wall(kWalk));
+  for (const Side side : kSides) {
+    const Matrix frame = side_frame(side) * translate(0, kWalk, 0);
+    for (int bay = 0; bay < bays(side); ++bay) {
+      scene.place(bay % 2 == 0 ? "outer-window" : "outer-door",
+                  frame * translate(bay_centre(side, bay), 0, 0));
+    }
+    if (side != Side::south) scene.place("outer-corner", frame * translate(-half_length(side) - kWalk, 0, 0));
+    if (side != Side::north) scene.place("outer-corner", frame * translate(half_length(side), 0, 0));
+  }
+  const Matrix east = translate(kEastFace, 0, 0) * rotate_z(-90);
+  scene.add("east-wall", plain_wall(2 * (kHalfY + kWalk)), east * translate(-kHalfY - kWalk, 0, 0));
+  scene.add("crown", crown());
+}
+
+}  // namespace capcon::scenes::court

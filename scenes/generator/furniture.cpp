@@ -1,0 +1,5 @@
+#include "generator/courtyard.h"
+
+namespace capcon::scenes::court {
+void add_furniture(Assembly&) {}
+}  // namespace capcon::scenes::court

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "generator/mesh.h"
+
+namespace capcon::scenes {
+
+/// The mesh as a binary little-endian PLY file: float x y z, triangles as lists of uchar and int.
+std::string ply_bytes(const Mesh& mesh);
+
+}  // namespace capcon::scenes
