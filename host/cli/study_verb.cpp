@@ -95,6 +95,7 @@ void run(Options& o) {
     for (const std::string& warning : scene.warnings) fmt::print(stderr, "capcon: warning: {}\n", warning);
   }
   s.scene_fingerprint = fingerprint(scene);
+  s.points_fingerprint = points_fingerprint();
   s.unique_triangles = scene.unique_triangles();
   s.instanced_triangles = scene.instanced_triangles();
   if (s.radius == 0) s.radius = o.scene.empty() ? kCourtyardRadius : default_radius(scene);

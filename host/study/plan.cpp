@@ -40,6 +40,7 @@ AmbientOcclusionJob make_reference_job(const StudySettings& settings, std::uint3
 nlohmann::json to_json(const StudySettings& s) {
   return {{"scene", s.scene},
           {"scene_fingerprint", fmt::format("{:016x}", s.scene_fingerprint)},
+          {"points_fingerprint", fmt::format("{:016x}", s.points_fingerprint)},
           {"unique_triangles", s.unique_triangles},
           {"instanced_triangles", s.instanced_triangles},
           {"width", s.width},

@@ -13,6 +13,7 @@ namespace capcon {
 struct StudySettings {
   std::string scene;  ///< as given or shipped: for the report
   std::uint64_t scene_fingerprint = 0;
+  std::uint64_t points_fingerprint = 0;  ///< of what the samplers make: tile sets change
   std::uint64_t unique_triangles = 0;
   std::uint64_t instanced_triangles = 0;
   int width = 0;

@@ -70,10 +70,10 @@ dl{display:grid;grid-template-columns:minmax(8rem,max-content) 1fr;gap:.45rem 1.
 dt{font-weight:600}dd{margin:0;overflow-wrap:anywhere}
 code{font:.88em/1.4 ui-monospace,"DejaVu Sans Mono",monospace}
 @media (max-width:560px){dl{grid-template-columns:1fr;gap:.1rem}dd{margin-bottom:.6rem}}
-@media print{:root{--ground:#fff;--ink:#000;--soft:#444;--rule:#bbb;--faint:#ddd;--panel:#fff;--good:#00583c;--bad:#8c2b0d;
+@media print{.overview{flex:1 1 40%}:root{--ground:#fff;--ink:#000;--soft:#444;--rule:#bbb;--faint:#ddd;--panel:#fff;--good:#00583c;--bad:#8c2b0d;
 --c0:#6d6d6d;--c1:#8f4fa0;--c2:#b87100;--c3:#0060a8;--c4:#007d58;--c5:#cf3310;--c6:#3f8fb5;--c7:#7a6a1e}
 body{max-width:none;padding:0;font-size:10pt}.skip{display:none}h2{break-after:avoid}h3{break-after:avoid}
-figure,table,.views{break-inside:avoid}.scroll{overflow:visible}.charts{grid-template-columns:1fr 1fr;gap:1rem}
+figure,.views,tr{break-inside:avoid}.scroll{overflow:visible}.charts{grid-template-columns:1fr 1fr;gap:1rem}
 .views{grid-template-columns:repeat(var(--n),1fr)}table{font-size:8pt}.pair{grid-template-columns:1fr}th,td{padding:.15rem .4rem}}
 )";
 }

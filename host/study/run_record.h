@@ -20,8 +20,9 @@ struct RunRecord {
   double mse_trimmed = 0;
   double relmse = 0;
   std::uint64_t rays = 0;
-  double device_seconds = 0;  ///< sum of the device's own timings; without any: wall time without making points
-  double wall_seconds = 0;    ///< the whole render call, without compiling kernels
+  double device_seconds =
+      0;                    ///< sum of the device's own timings; without any: wall time without making points
+  double wall_seconds = 0;  ///< the whole render call, without compiling kernels
   double point_generation_seconds = 0;  ///< the part of wall_seconds that made the points
   Timings timings;
   std::string device;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/hash.h"
+#include "sampling/sampler.h"
 
 namespace capcon {
 namespace {
@@ -93,6 +94,23 @@ std::uint64_t fingerprint(const Scene& scene) {
   hash.add(scene.camera.fov_degrees);
   hash.add(scene.camera.screen);
   hash.add(scene.camera.frame_aspect_ratio);
+  return hash.value();
+}
+
+std::uint64_t points_fingerprint() {
+  Hash hash;
+  for (const std::string& name : sampler_names()) {
+    for (const std::uint32_t count : {5u, 16u, 64u}) {
+      const auto sampler = make_sampler(name, count, 1);
+      for (std::uint32_t pixel = 0; pixel < 64; ++pixel) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+          const FixedPoint p = sampler->sample(pixel, i, 0);
+          hash.add(p.x);
+          hash.add(p.y);
+        }
+      }
+    }
+  }
   return hash.value();
 }
 

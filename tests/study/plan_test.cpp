@@ -62,6 +62,7 @@ TEST(Plan, HashFollowsWhatChangesAMeasurement) {
   EXPECT_TRUE(differs([](StudySettings& o) { o.radius = 3; }));
   EXPECT_TRUE(differs([](StudySettings& o) { o.reference_samples = 1; }));
   EXPECT_TRUE(differs([](StudySettings& o) { o.scene_fingerprint = 1; }));
+  EXPECT_TRUE(differs([](StudySettings& o) { o.points_fingerprint = 1; }));
   EXPECT_NE(settings_hash(s, {{"name", "b"}}), hash);
 }
 
