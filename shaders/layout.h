@@ -35,6 +35,7 @@ CAPCON_CONST kSpecSampler = 0u;      // a sampler id
 CAPCON_CONST kSpecStackSize = 1u;    // entries of the traversal stack: the depth of the scene's tree
 CAPCON_CONST kSpecQuadrics = 2u;     // 1: the scene has spheres or disks
 CAPCON_CONST kSpecJittered = 3u;     // 1: image samples lie at points of the sampler, 0: at pixel centres
+CAPCON_CONST kSpecAnyHit = 4u;       // rays.comp: 1: any hit will do, 0: the closest
 
 // Bindings of every kernel; those that a kernel does not name are left out of its layout.
 CAPCON_CONST kBindNodes = 0u;       // data texels: four a BVH node
@@ -44,6 +45,8 @@ CAPCON_CONST kBindSampler = 3u;     // data texels: the sampler's table
 CAPCON_CONST kBindSurfaces = 4u;    // what each pixel sees: two texels (data texels where read, storage where written)
 CAPCON_CONST kBindCounts = 5u;      // visible rays a pixel, storage
 CAPCON_CONST kBindPoints = 6u;      // sample points as bits, storage (the test kernel's output)
+CAPCON_CONST kBindRays = 7u;        // data texels: two a ray (rays.comp)
+CAPCON_CONST kBindHits = 8u;        // distance and primitive of each ray, storage (rays.comp)
 
 // Ids in a primitive's first texel (word 3): triangles count from 0, quadrics carry this bit and their index.
 CAPCON_CONST kQuadricBit = 0x80000000u;
@@ -83,6 +86,14 @@ struct OcclusionConstants {
   uint samples;
   float radius;
   uint group_stride;  // coprime to the number of groups, both below 2^16: spreads the work over the driver's threads
+};
+
+struct RayConstants {
+  TreeConstants tree;
+  uint first;         // ray of this batch
+  uint count;         // rays of this batch
+  uint group_stride;  // as above
+  uint pad;
 };
 
 #ifdef __cplusplus

@@ -11,6 +11,7 @@ void add_measure_verb(CLI::App& app);
 void add_tiles_verb(CLI::App& app);
 void add_render_verb(CLI::App& app);
 void add_compare_verb(CLI::App& app);
+void add_bench_verb(CLI::App& app);
 void add_info_verb(CLI::App& app);
 void add_study_verb(CLI::App& app);
 

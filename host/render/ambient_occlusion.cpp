@@ -3,30 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
-#include <cmath>
-#include <numeric>
 
 #include "base/error.h"
+#include "render/dispatch.h"
 
 namespace capcon {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-// Lanes of one dispatch: a fifth of a second on a slow CPU device, far below any driver's watchdog.
-constexpr std::uint64_t kBatchLanes = 1 << 19;
-
-/// A stride that is coprime to the number of groups and near its golden section: neighbours end up far apart.
-std::uint32_t spreading_stride(std::uint32_t groups) {
-  auto stride = std::max(1u, static_cast<std::uint32_t>(std::lround(groups * 0.61803398875)));
-  while (std::gcd(stride, groups) != 1) ++stride;
-  return stride;
-}
-
-std::uint32_t groups_for(std::uint64_t lanes) {
-  return static_cast<std::uint32_t>((lanes + layout::kGroupSize - 1) / layout::kGroupSize);
-}
 
 glm::vec4 with_word(glm::dvec3 v, std::uint32_t w) { return {glm::vec3(v), std::bit_cast<float>(w)}; }
 

@@ -12,6 +12,8 @@
 #include "spirv/points_texel.h"
 #include "spirv/primary_storage.h"
 #include "spirv/primary_texel.h"
+#include "spirv/rays_storage.h"
+#include "spirv/rays_texel.h"
 
 namespace capcon {
 namespace {
@@ -41,6 +43,12 @@ const std::map<std::string, Description>& descriptions() {
         {kBindNodes, kBindPrimitives, kBindQuadrics, kBindSampler, kBindSurfaces},
         {kBindCounts},
         sizeof(OcclusionConstants)}},
+      {"rays",
+       {k_rays_texel_spirv,
+        k_rays_storage_spirv,
+        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindRays},
+        {kBindHits},
+        sizeof(RayConstants)}},
       {"points", {k_points_texel_spirv, k_points_storage_spirv, {kBindSampler}, {kBindPoints}, sizeof(OcclusionConstants)}}};
   return all;
 }

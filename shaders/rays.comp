@@ -1,0 +1,37 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Given rays against the scene, closest or any hit: what tests and the tracer's bench compare with other tracers, ray for ray.
+// Reads two texels a ray (origin, t_max; direction, primitive to skip), writes its distance and the primitive's id.
+#include "layout.h"
+
+layout(local_size_x = kGroupSize) in;
+layout(push_constant, std430) uniform Push { RayConstants push; };
+layout(constant_id = kSpecAnyHit) const uint kAnyHit = 0u;
+
+#include "fetch.glsl"
+#include "tracing/bvh.glsl"
+
+DATA_TEXELS(kBindRays, ray_texels);
+layout(set = 0, binding = kBindHits, std430) writeonly buffer Hits { uvec2 hits[]; };
+
+void main() {
+  uint group = (gl_WorkGroupID.x * push.group_stride) % gl_NumWorkGroups.x;
+  uint index = group * kGroupSize + gl_LocalInvocationIndex;
+  bool live = index < push.count;
+  index = push.first + (live ? index : 0u);
+  uvec4 r0 = FETCH(ray_texels, index * 2u);
+  uvec4 r1 = FETCH(ray_texels, index * 2u + 1u);
+  Ray ray;
+  ray.origin = uintBitsToFloat(r0.xyz);
+  ray.direction = uintBitsToFloat(r1.xyz);
+  ray.t_max = uintBitsToFloat(r0.w);
+  ray.skip = r1.w;
+  Hit hit;
+  if (kAnyHit != 0u) {
+    hit = traverse(true, ray, push.tree, live);
+  } else {
+    hit = traverse(false, ray, push.tree, live);
+  }
+  uint id = hit.slot == kNoPrimitive ? kNoPrimitive : FETCH(primitive_texels, hit.slot * 3u).w;
+  if (live) hits[index] = uvec2(floatBitsToUint(hit.t), id);
+}
