@@ -19,6 +19,10 @@ bool PowerCell::cut(glm::dvec2 d, double limit, SiteImage beyond) {
     outside += side_[k] > 0;
   }
   if (outside == 0) return false;
+  // The same line again, and rounding: it would leave edges of length 0 or halves.
+  for (const SiteImage image : beyond_) {
+    if (image == beyond) return false;
+  }
   next_x_.clear();
   next_y_.clear();
   next_beyond_.clear();

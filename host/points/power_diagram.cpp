@@ -131,7 +131,7 @@ bool PowerDiagram::compute(std::span<const glm::dvec2> sites, std::span<const do
     if (!cut_listed(input, all, Reach::kNeighbours, least_area)) return false;
     for (int round = 0; round < 2; ++round) {
       wrong = disagreeing(tolerance);
-      if (wrong.empty() || 4 * wrong.size() > 3 * sites.size()) break;
+      if (wrong.empty()) break;
       if (!cut_listed(input, wrong, Reach::kTheirNeighbours, least_area)) return false;
     }
     if (!wrong.empty()) wrong = disagreeing(tolerance);

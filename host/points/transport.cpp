@@ -31,7 +31,11 @@ Laplacian area_derivatives(const PowerDiagram& diagram, std::span<const glm::dve
 }
 
 Transport::Transport(Points sites, std::vector<double> shares)
-    : sites_(std::move(sites)), shares_(std::move(shares)), weights_(sites_.size(), 0.0) {
+    : Transport(std::move(sites), std::move(shares), {}) {}
+
+Transport::Transport(Points sites, std::vector<double> shares, std::vector<double> weights)
+    : sites_(std::move(sites)), shares_(std::move(shares)), weights_(std::move(weights)) {
+  weights_.resize(sites_.size(), 0.0);
   diagram_.compute(sites_, weights_, nullptr, 0);
 }
 

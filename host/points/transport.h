@@ -14,6 +14,8 @@ class Transport {
  public:
   /// Sites in [-0.5, 1.5)^2, no two in the same place; `shares` sum to 1.
   Transport(Points sites, std::vector<double> shares);
+  /// The same from weights that are nearly right.
+  Transport(Points sites, std::vector<double> shares, std::vector<double> weights);
 
   /// Newton steps until every cell's area is its share but for `tolerance` of it. Failure if that does not
   /// come about.
