@@ -3,6 +3,7 @@
 #include "generator/columns.h"
 #include "generator/courtyard.h"
 #include "generator/courtyard_plan.h"
+#include "generator/masonry.h"
 #include "generator/profiles.h"
 #include "generator/solids.h"
 #include "generator/wall.h"
@@ -13,25 +14,6 @@ namespace {
 constexpr double kArchHead = 4.36;  // top of the lower arcade's wall
 constexpr double kUpperHead = 7.8;
 constexpr double kUpperWall = 0.34;
-
-/// Wedge stones round a round arch on a wall at y = 0, standing `out` of it; the keystone is larger.
-Mesh voussoirs(double radius, double depth, double out, int count, double z) {
-  Mesh mesh;
-  for (int i = 0; i < count; ++i) {
-    const bool key = i == count / 2;
-    const double joint = 0.004 / radius, step = kPi / count;
-    const double a0 = kPi - i * step - joint, a1 = kPi - (i + 1) * step + joint;
-    const double inner = radius + (key ? -0.02 : 0.006),
-                 outer = radius + depth + (key ? 0.08 : (i % 2) * 0.03);
-    const double top = out * (key ? 1.9 : 1);
-    const auto corner = [&](double a, double r) { return Vec3(r * std::cos(a), z + r * std::sin(a), top); };
-    mesh.append(paving_stone({corner(a0, inner), corner(a1, inner), corner(a1, outer), corner(a0, outer)},
-                             -0.01, 0.008));
-  }
-  Mesh upright;
-  upright.append(mesh, rotate_x(90));
-  return upright;
-}
 
 Model lower_bay() {
   Model model;

@@ -95,12 +95,6 @@ Model window(const Opening& o, bool shutters) {
   return model;
 }
 
-struct Storey {
-  double foot, head;
-  Opening opening;
-  bool door, shutters, open;
-};
-
 /// One bay of an outer wall, its face at y = 0, all storeys.
 Model outer_bay(bool door_below) {
   Model model;
@@ -141,6 +135,44 @@ Model plain_wall(double length, double foot = -0.05) {
   return model;
 }
 
+/// The wall over the stairs, with a row of windows and a string course under them.
+Model east_wall() {
+  Model model;
+  const double half = kHalfY + kWalk, sill_course = 5.8, attic_foot = 9.0;
+  WallPlan low{.from = -half,
+               .to = half,
+               .foot = -0.05,
+               .head = sill_course,
+               .thickness = kThick,
+               .back = false,
+               .top = false};
+  WallPlan middle = low, high = low;
+  middle.foot = sill_course;
+  middle.head = high.foot = attic_foot;
+  high.head = kOuterHead;
+  for (const double x : {-3.45, -1.15, 1.15, 3.45}) {
+    const Opening main{.centre = x, .half_width = 0.45, .sill = 6.25, .springing = 7.6, .arch = Arch::flat};
+    const Opening attic{.centre = x, .half_width = 0.3, .sill = 9.75, .springing = 10.2, .arch = Arch::flat};
+    middle.openings.push_back(main);
+    high.openings.push_back(attic);
+    for (Opening o : {main, attic}) {
+      o.centre = 0;  // a window is drawn round its own middle
+      model.add(window(o, o.sill < 8), translate(x, 0, 0));
+    }
+  }
+  for (const WallPlan& plan : {low, middle, high}) model.add("plaster", wall(plan));
+  Profile course(-0.01, sill_course - 0.2);
+  course.by(0.03, 0)
+      .curve(0, 0.04, 1, 5)
+      .by(0, 0.02)
+      .curve(0.05, 0.06, -0.4, 5)
+      .by(0.02, 0)
+      .by(0, 0.06)
+      .to(-0.01, sill_course + 0.03);
+  model.add("stone", moulding(course.points(), {Vec3(kHalfY - 0.1, 0, 0), Vec3(-kHalfY + 0.1, 0, 0)}, false));
+  return model;
+}
+
 /// Cornice and coping round all four outer walls, and their outsides.
 Model crown() {
   const double x0 = -kHalfX - kWalk, x1 = kEastFace, y = kHalfY + kWalk;
@@ -175,7 +207,7 @@ void add_outer_walls(Assembly& scene) {
     if (side != Side::north) scene.place("outer-corner", frame * translate(half_length(side), 0, 0));
   }
   const Matrix east = translate(kEastFace, 0, 0) * rotate_z(-90);
-  scene.add("east-wall", plain_wall(2 * (kHalfY + kWalk)), east * translate(-kHalfY - kWalk, 0, 0));
+  scene.add("east-wall", east_wall(), east);
   scene.add("crown", crown());
 }
 

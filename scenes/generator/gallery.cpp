@@ -1,6 +1,7 @@
 #include "generator/columns.h"
 #include "generator/courtyard.h"
 #include "generator/courtyard_plan.h"
+#include "generator/masonry.h"
 #include "generator/profiles.h"
 #include "generator/solids.h"
 
@@ -9,22 +10,12 @@ namespace capcon::scenes::court {
 namespace {
 constexpr double kBeamSpace = 0.56;
 
-/// Rails of one bay between its three pedestals.
-Model rails() {
+/// Rails from `from` to `to`; they end inside pedestals.
+Model rails(double from, double to) {
   Model model;
-  Profile foot(-0.11, 0), hand(-0.1, kRail - 0.11);
-  foot.by(0.22, 0).by(0, 0.09).by(-0.03, 0.02).by(-0.16, 0).by(-0.03, -0.02).by(0, -0.09);
-  hand.by(0.2, 0)
-      .by(0, 0.02)
-      .curve(0.03, 0.03, -0.3, 3)
-      .by(0.02, 0)
-      .by(0, 0.04)
-      .by(-0.01, 0.02)
-      .by(-0.28, 0)
-      .by(-0.01, -0.02);
-  hand.by(0, -0.04).by(0.02, 0).curve(0.03, -0.03, -0.3, 3).by(0, -0.02);
+  const Profile foot = foot_rail(), hand = hand_rail(kRail - 0.11);
   for (const Profile* p : {&foot, &hand}) {
-    model.add("stone", moulding(p->points(), {Vec3(-kBay / 2, 0, 0), Vec3(kBay / 2, 0, 0)}, false));
+    model.add("stone", moulding(p->points(), {Vec3(from, 0, 0), Vec3(to, 0, 0)}, false));
   }
   return model;
 }
@@ -52,7 +43,8 @@ void add_galleries(Assembly& scene) {
   Model post;
   post.add("stone", baluster(kRail - 0.2), translate(0, 0, 0.1));
   scene.define("baluster", std::move(post));
-  scene.define("rails", rails());
+  scene.define("rails", rails(-kBay / 2, kBay / 2));
+  scene.define("rails-half", rails(-kBay / 2, 0));
   scene.define("ceiling", ceiling(-kBay / 2, kBay / 2));
   scene.define("ceiling-corner", ceiling(0.0, kWalk));
   for (const Side side : kSides) {
@@ -60,9 +52,9 @@ void add_galleries(Assembly& scene) {
     for (int bay = 0; bay < bays(side); ++bay) {
       const double u = bay_centre(side, bay);
       scene.place("ceiling", frame * translate(u, 0, 0));
-      if (side == Side::north && bay == bays(side) - 1) continue;  // here the stairs arrive
-      scene.place("rails", frame * translate(u, 0, kGallery));
-      for (int i = 0; i < 10; ++i) {
+      const bool stairs = side == Side::north && bay == bays(side) - 1;  // arrive in this bay's eastern half
+      scene.place(stairs ? "rails-half" : "rails", frame * translate(u, 0, kGallery));
+      for (int i = 0; i < (stairs ? 5 : 10); ++i) {
         const double x = (i < 5 ? -kBay / 4 : kBay / 4) + 0.212 * (i % 5 - 2);
         scene.place("baluster", frame * translate(u + x, 0, kGallery));
       }

@@ -30,15 +30,13 @@ std::vector<Vec2> arch_curve(Arch arch, double half_width, int segments) {
 }
 
 namespace {
-/// The solid between two curves over the same u, front and back.
-void add_panel(Mesh& mesh, const WallPlan& plan, Vec2 low0, Vec2 low1, double high) {
-  const double back = plan.thickness;
-  if (plan.front) {
-    mesh.quad(Vec3(low0.x, 0, low0.y), Vec3(low1.x, 0, low1.y), Vec3(low1.x, 0, high), Vec3(low0.x, 0, high));
-  }
+/// The solid from a line's height up to the wall's head, front and back.
+void add_panel(Mesh& mesh, const WallPlan& plan, Vec2 a, Vec2 b) {
+  const double back = plan.thickness, high_a = plan.head + plan.slope * (a.x - plan.from),
+               high_b = plan.head + plan.slope * (b.x - plan.from);
+  if (plan.front) mesh.quad(Vec3(a.x, 0, a.y), Vec3(b.x, 0, b.y), Vec3(b.x, 0, high_b), Vec3(a.x, 0, high_a));
   if (plan.back) {
-    mesh.quad(Vec3(low1.x, back, low1.y), Vec3(low0.x, back, low0.y), Vec3(low0.x, back, high),
-              Vec3(low1.x, back, high));
+    mesh.quad(Vec3(b.x, back, b.y), Vec3(a.x, back, a.y), Vec3(a.x, back, high_a), Vec3(b.x, back, high_b));
   }
 }
 
@@ -55,11 +53,14 @@ Mesh wall(const WallPlan& plan) {
   double at = plan.from;
   for (const Opening& o : plan.openings) {
     const double left = o.centre - o.half_width, right = o.centre + o.half_width;
-    if (left > at) add_panel(mesh, plan, {at, plan.foot}, {left, plan.foot}, plan.head);
+    if (left > at) add_panel(mesh, plan, {at, plan.foot}, {left, plan.foot});
     const bool door = o.sill <= plan.foot;
     const double sill = door ? plan.foot : o.sill;
     if (!door) {
-      add_panel(mesh, plan, {left, plan.foot}, {right, plan.foot}, sill);
+      WallPlan parapet = plan;
+      parapet.head = sill;
+      parapet.slope = 0;
+      add_panel(mesh, parapet, {left, plan.foot}, {right, plan.foot});
       add_reveal(mesh, plan, {right, sill}, {left, sill});
     }
     const std::vector<Vec2> curve = arch_curve(o.arch, o.half_width, o.segments);
@@ -69,15 +70,21 @@ Mesh wall(const WallPlan& plan) {
     }
     for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
       const Vec2 a = curve[i] + Vec2(o.centre, o.springing), b = curve[i + 1] + Vec2(o.centre, o.springing);
-      add_panel(mesh, plan, a, b, plan.head);
+      add_panel(mesh, plan, a, b);
       add_reveal(mesh, plan, a, b);
     }
     at = right;
   }
-  if (plan.to > at) add_panel(mesh, plan, {at, plan.foot}, {plan.to, plan.foot}, plan.head);
-  const unsigned rest =
-      (plan.top ? kTop : 0u) | (plan.bottom ? kBottom : 0u) | (plan.ends ? kWest | kEast : 0u);
-  mesh.append(box(Vec3(plan.from, 0, plan.foot), Vec3(plan.to, back, plan.head), rest));
+  if (plan.to > at) add_panel(mesh, plan, {at, plan.foot}, {plan.to, plan.foot});
+  const double end = plan.head + plan.slope * (plan.to - plan.from);
+  if (plan.top) {
+    mesh.quad(Vec3(plan.from, 0, plan.head), Vec3(plan.to, 0, end), Vec3(plan.to, back, end),
+              Vec3(plan.from, back, plan.head));
+  }
+  if (plan.ends) {
+    mesh.append(box(Vec3(plan.from, 0, plan.foot), Vec3(plan.to, back, plan.head), kWest));
+    mesh.append(box(Vec3(plan.from, 0, plan.foot), Vec3(plan.to, back, end), kEast));
+  }
   return mesh;
 }
 

@@ -25,7 +25,8 @@ struct Opening {
 /// thickness.
 struct WallPlan {
   double from = 0, to = 1, foot = 0, head = 1, thickness = 0.3;
-  bool front = true, back = true, top = true, bottom = false, ends = false;
+  double slope = 0;  ///< the head rises by this for every metre after `from`
+  bool front = true, back = true, top = true, ends = false;
   std::vector<Opening> openings = {};  ///< from left to right, not touching
 };
 Mesh wall(const WallPlan& plan);
