@@ -95,20 +95,14 @@ void run(const Options& options) {
   if (options.method == "ccvt") result["capacity"] = options.generator.capacity;
   result["seconds"] = seconds;
   if (!options.output.empty()) result["output"] = options.output;
-  Measures mean;
+  std::vector<Measures> measures;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t s = 0; s < sets.size(); ++s) {
-    const Measures m = measure(sets[s]);
-    const double weight = 1.0 / static_cast<double>(sets.size());
-    mean.n = m.n;
-    mean.delta_min += weight * m.delta_min;
-    mean.delta_mean += weight * m.delta_mean;
-    mean.energy += weight * m.energy;
-    mean.area_sd += weight * m.area_sd;
+    const Measures& m = measures.emplace_back(measure(sets[s]));
     list.push_back({{"seed", options.generator.seed + s}, {"measures", capcon::to_json(m)}});
     if (options.output.empty()) list.back()["points"] = to_json(sets[s]);
   }
-  result["measures"] = capcon::to_json(mean);
+  result["measures"] = capcon::to_json(mean_of(measures));
   result["sets"] = list;
   fmt::print("{}\n", result.dump());
 }

@@ -239,6 +239,45 @@ TEST(Measure, NearestDistancesAgreeWithAllPairs) {
   }
 }
 
+TEST(Measure, CapacityErrorAndCentroids) {
+  // Two cells 0.5 wide with sites 0.05 off their middles (see above): d_hex = sqrt(1 / sqrt 3).
+  const Measures even = measure({{0.1, 0.2}, {0.5, 0.2}});
+  EXPECT_NEAR(even.centroid_rms, 0.05 / std::sqrt(1 / std::sqrt(3.0)), 1e-14);
+  EXPECT_NEAR(even.capacity_error, 0, 1e-28);
+  // Three in a row at 0, 0.1, 0.5: widths 0.3, 0.25, 0.45.
+  const Measures row = measure({{0, 0.2}, {0.1, 0.2}, {0.5, 0.2}});
+  const double expected =
+      (std::pow(3 * 0.3 - 1, 2) + std::pow(3 * 0.25 - 1, 2) + std::pow(3 * 0.45 - 1, 2)) / 3;
+  EXPECT_NEAR(row.capacity_error, expected, 1e-14);
+  EXPECT_NEAR(row.area_sd * row.area_sd, row.capacity_error, 1e-15);
+}
+
+TEST(Measure, BondOrder) {
+  Points hexagons, squares;
+  for (int y = 0; y < 97; ++y) {
+    for (int x = 0; x < 56; ++x) {
+      hexagons.emplace_back((x + 0.25) / 56, (y + 0.25) / 97);
+      hexagons.emplace_back((x + 0.75) / 56, (y + 0.75) / 97);
+    }
+  }
+  for (int i = 0; i < 400; ++i) squares.emplace_back((i % 20 + 0.5) / 20, (i / 20 + 0.5) / 20);
+  EXPECT_NEAR(measure(hexagons).psi6, 1, 1e-3);
+  EXPECT_NEAR(measure(hexagons).psi6_local, 1, 1e-3);
+  EXPECT_NEAR(measure(squares).psi6_local, 0, 1e-9);  // sixfold turns of 0, 90, 180, 270 degrees cancel
+  const Measures random = measure(random_points(20000, 2));
+  EXPECT_LT(random.psi6, 0.02);  // no common direction
+  EXPECT_NEAR(random.psi6_local, 0.4, 0.1);
+}
+
+TEST(Measure, MeansOfSets) {
+  const std::vector<Measures> all{measure(random_points(100, 1)), measure(random_points(100, 2))};
+  const Measures mean = mean_of(all);
+  EXPECT_EQ(mean.n, 100u);
+  EXPECT_DOUBLE_EQ(mean.psi6_local, (all[0].psi6_local + all[1].psi6_local) / 2);
+  EXPECT_FALSE(to_json(mean).contains("star"));
+  EXPECT_EQ(mean_of({all[0], measure({{0.5, 0.5}})}).n, 0u);
+}
+
 TEST(Measure, SmallestCases) {
   EXPECT_EQ(measure({}).n, 0u);
   EXPECT_NEAR(measure({{0.5, 0.5}}).delta_min, 1 / std::sqrt(2 / std::sqrt(3.0)), 1e-15);
