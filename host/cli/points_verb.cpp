@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <ctime>
@@ -24,6 +25,8 @@ constexpr std::uint32_t kMostPoints = 100'000'000;  // 1.6 GB
 struct Options {
   std::string method;
   GeneratorOptions generator;
+  std::string strategy = "global";
+  std::string kind = "maximin";
   std::uint32_t count = 1;
   std::string output;
   bool json = false;
@@ -54,11 +57,39 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Options that mean something to some methods only.
+struct Only {
+  const char* option;
+  std::vector<std::string_view> methods;
+};
+const Only kOnly[] = {{"--capacity", {"ccvt"}},
+                      {"--strategy", {"fpo"}},
+                      {"--rounds", {"lloyd"}},
+                      {"--kind", {"lattice"}},
+                      {"--shift", {"lattice"}}};
+
+bool is_for(const Only& only, std::string_view method) {
+  return std::find(only.methods.begin(), only.methods.end(), method) != only.methods.end();
+}
+
+/// Refuses options that would change nothing. A name that is not a method's gets its own message later.
+void check_options(const CLI::App& verb, const std::string& method) {
+  for (const Only& only : kOnly) {
+    if (verb.get_option(only.option)->count() > 0 && !is_for(only, method)) {
+      throw InputError(fmt::format("{} means nothing to {}; it is for {}", only.option, method,
+                                   fmt::join(only.methods, ", ")));
+    }
+  }
+}
+
 std::vector<Points> make_sets(const Options& options) {
   std::vector<Points> sets;
   Progress progress("points", options.count, options.quiet);
   for (std::uint32_t s = 0; s < options.count; ++s) {
     GeneratorOptions generator = options.generator;
+    generator.strategy =
+        options.strategy == "local" ? FpoOptions::Strategy::kLocal : FpoOptions::Strategy::kGlobal;
+    generator.kind = options.kind == "golden" ? LatticeKind::kGolden : LatticeKind::kMaximin;
     generator.seed += s;
     generator.on_progress = [&](double fraction) { progress.update(s + fraction); };
     sets.push_back(generate(options.method, generator));
@@ -93,6 +124,12 @@ void run(const Options& options) {
   nlohmann::ordered_json result = {{"method", options.method}, {"n", options.generator.n}};
   result["seed"] = options.generator.seed;
   if (options.method == "ccvt") result["capacity"] = options.generator.capacity;
+  if (options.method == "fpo") result["strategy"] = options.strategy;
+  if (options.method == "lloyd") result["rounds"] = options.generator.rounds;
+  if (options.method == "lattice") {
+    result["kind"] = options.kind;
+    result["shift"] = options.generator.shift;
+  }
   result["seconds"] = seconds;
   if (!options.output.empty()) result["output"] = options.output;
   std::vector<Measures> measures;
@@ -131,6 +168,20 @@ void add_points_verb(CLI::App& app) {
       ->check(whole(1, std::numeric_limits<std::uint32_t>::max()))
       ->type_name("K")
       ->capture_default_str();
+  verb->add_option(
+          "--strategy", options->strategy,
+          "where a point may go (fpo): anywhere, or only about its place, which is a little less even")
+      ->check(CLI::IsMember({"global", "local"}))
+      ->capture_default_str();
+  verb->add_option("--rounds", options->generator.rounds, "moves to the centroids (lloyd)")
+      ->check(whole(0, std::numeric_limits<std::uint32_t>::max()))
+      ->type_name("ROUNDS")
+      ->capture_default_str();
+  verb->add_option("--kind", options->kind,
+                   "which lattice: of largest minimum distance, or of the golden ratio")
+      ->check(CLI::IsMember({"maximin", "golden"}))
+      ->capture_default_str();
+  verb->add_flag("--shift", options->generator.shift, "move the lattice at random, by the seed");
   verb->add_option("--seed", options->generator.seed, "of the first set; each further set has the next")
       ->check(whole(0, std::numeric_limits<std::uint64_t>::max()))
       ->type_name("S")
@@ -144,7 +195,10 @@ void add_points_verb(CLI::App& app) {
                  "set), and the "
                  "points unless they go to a file");
   verb->add_flag("--quiet", options->quiet, "no progress, no message");
-  verb->callback([options] { run(*options); });
+  verb->callback([options, verb] {
+    check_options(*verb, options->method);
+    run(*options);
+  });
 }
 
 }  // namespace capcon::cli

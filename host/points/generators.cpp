@@ -8,13 +8,15 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "points/ccvt.h"
+#include "points/halton.h"
+#include "points/lloyd.h"
 #include "points/sobol.h"
 
 namespace capcon {
 
 namespace {
 
-enum Stream : std::uint64_t { kRandom = 1, kJitter, kDigits, kOwenX, kOwenY };
+enum Stream : std::uint64_t { kRandom = 1, kJitter, kDigits, kOwenX, kOwenY, kHalton2, kHalton3 };
 
 Points random_points(const GeneratorOptions& options) {
   Points points(options.n);
@@ -87,6 +89,29 @@ const Method kMethods[] = {
        Points points(o.n);
        for (std::uint32_t i = 0; i < o.n; ++i) points[i] = {radical_inverse(i, 2), radical_inverse(i, 3)};
        return points;
+     }},
+    {"halton-scrambled",
+     [](const GeneratorOptions& o) {
+       Points points(o.n);
+       for (std::uint32_t i = 0; i < o.n; ++i) {
+         points[i] = {owen_radical_inverse(i, 2, o.seed, kHalton2),
+                      owen_radical_inverse(i, 3, o.seed, kHalton3)};
+       }
+       return points;
+     }},
+    {"lattice",
+     [](const GeneratorOptions& o) {
+       Points points = lattice_points(o.kind, o.n);
+       if (o.shift) shift_randomly(points, o.seed);
+       return points;
+     }},
+    {"lloyd",
+     [](const GeneratorOptions& o) {
+       return lloyd({o.n, o.seed, o.rounds, o.on_progress});
+     }},
+    {"fpo",
+     [](const GeneratorOptions& o) {
+       return fpo({o.n, o.seed, o.strategy, o.on_progress});
      }},
     {"ccvt",
      [](const GeneratorOptions& o) {
