@@ -10,21 +10,14 @@
 #include "points/ccvt.h"
 #include "points/halton.h"
 #include "points/lloyd.h"
+#include "points/region_ccvt.h"
 #include "points/sobol.h"
 
 namespace capcon {
 
 namespace {
 
-enum Stream : std::uint64_t { kRandom = 1, kJitter, kDigits, kOwenX, kOwenY, kHalton2, kHalton3 };
-
-Points random_points(const GeneratorOptions& options) {
-  Points points(options.n);
-  for (std::uint64_t i = 0; i < options.n; ++i) {
-    points[i] = {uniform64(options.seed, kRandom, 2 * i), uniform64(options.seed, kRandom, 2 * i + 1)};
-  }
-  return points;
-}
+enum Stream : std::uint64_t { kJitter = 2, kDigits, kOwenX, kOwenY, kHalton2, kHalton3 };
 
 Points jittered_points(const GeneratorOptions& options) {
   // As many rows as make the strata most nearly square. The n points are shared out over the rows evenly, and
@@ -50,6 +43,7 @@ Points jittered_points(const GeneratorOptions& options) {
       points.emplace_back(x < 1 ? x : 0, y < 1 ? y : 0);
     }
   }
+  place_all(options.region, points);
   return points;
 }
 
@@ -63,11 +57,12 @@ Points sobol_points(std::uint32_t n, const Scramble& scramble) {
 struct Method {
   const char* name;
   Points (*generate)(const GeneratorOptions&);
+  bool any_region = false;
 };
 
 const Method kMethods[] = {
-    {"random", random_points},
-    {"jittered", jittered_points},
+    {"random", [](const GeneratorOptions& o) { return random_points(o.region, o.n, o.seed); }, true},
+    {"jittered", jittered_points, true},
     {"sobol",
      [](const GeneratorOptions& o) {
        return sobol_points(o.n, [](std::uint32_t x, std::uint32_t y) { return glm::uvec2(x, y); });
@@ -107,8 +102,9 @@ const Method kMethods[] = {
      }},
     {"lloyd",
      [](const GeneratorOptions& o) {
-       return lloyd({o.n, o.seed, o.rounds, o.on_progress});
-     }},
+       return lloyd({o.n, o.seed, o.rounds, o.region, o.on_progress});
+     },
+     true},
     {"fpo",
      [](const GeneratorOptions& o) {
        return fpo({o.n, o.seed, o.strategy, o.on_progress});
@@ -120,8 +116,9 @@ const Method kMethods[] = {
        ccvt_options.capacity = o.capacity;
        ccvt_options.seed = o.seed;
        ccvt_options.on_progress = o.on_progress;
-       return ccvt(ccvt_options).points;
-     }},
+       return o.region.is_plain_torus() ? ccvt(ccvt_options).points : region_ccvt(o.region, ccvt_options);
+     },
+     true},
 };
 
 }  // namespace
@@ -138,7 +135,14 @@ const std::vector<std::string>& generator_names() {
 Points generate(std::string_view method, const GeneratorOptions& options) {
   if (options.n == 0) throw InputError("a point set needs at least one point (n >= 1)");
   for (const Method& known : kMethods) {
-    if (method == known.name) return known.generate(options);
+    if (method != known.name) continue;
+    if (!known.any_region && !options.region.is_plain_torus()) {
+      throw InputError(
+          fmt::format("{} fills the whole torus evenly; random, jittered, lloyd and ccvt take densities and "
+                      "other domains",
+                      method));
+    }
+    return known.generate(options);
   }
   throw InputError(fmt::format("no method \"{}\"; there are {}", method, fmt::join(generator_names(), ", ")));
 }

@@ -9,6 +9,7 @@
 #include "points/fpo.h"
 #include "points/lattice_points.h"
 #include "points/point_set.h"
+#include "points/region.h"
 
 namespace capcon {
 
@@ -24,9 +25,11 @@ struct GeneratorOptions {
   std::uint32_t rounds = 300;                                     ///< lloyd only
   LatticeKind kind = LatticeKind::kMaximin;                       ///< lattice only
   bool shift = false;  ///< lattice only: moved by a random vector, which the seed gives
+  Region region = {};  ///< ccvt, lloyd, random and jittered only
 };
 
-/// n points of the named method. InputError for an unknown name (with the names there are) or n = 0.
+/// n points of the named method. InputError for an unknown name (with the names there are) or n = 0, and
+/// for a region other than the plain torus where the method has none.
 /// - random: independent, uniform
 /// - jittered: one point in each of n strata of equal area, rows of nearly square cells (rows may differ by
 /// one)

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "points/point_set.h"
+#include "points/region.h"
 
 namespace capcon {
 
@@ -11,13 +11,14 @@ struct LloydOptions {
   std::uint32_t n = 1024;  ///< n >= 1
   std::uint64_t seed = 1;
   std::uint32_t rounds = 300;
+  Region region = {};
   /// Called after each round, may be empty.
   std::function<void(double fraction)> on_progress = {};
 };
 
-/// Lloyd's method on the unit torus: n independent random points, moved to the centroids of their Voronoi
-/// cells `rounds` times (Lloyd, "Least squares quantization in PCM", 1982). Converges to centroidal Voronoi
-/// diagrams, slowly.
+/// Lloyd's method: n independent random points, moved to the centroids of their Voronoi cells `rounds` times
+/// (Lloyd, "Least squares quantization in PCM", 1982). Converges to centroidal Voronoi diagrams, slowly. The
+/// cells are exact; with a density they are made of 256 space points a site instead, spread by it.
 Points lloyd(const LloydOptions& options);
 
 }  // namespace capcon
