@@ -32,7 +32,7 @@ CAPCON_CONST kSamplerCapcon = 5u;
 
 // Specialisation constants.
 CAPCON_CONST kSpecSampler = 0u;      // a sampler id
-CAPCON_CONST kSpecStackSize = 1u;    // entries of the traversal stack: the depth of the scene's tree
+CAPCON_CONST kSpecStackSize = 1u;    // entries of the traversal stack beyond its registers, >= 1
 CAPCON_CONST kSpecQuadrics = 2u;     // 1: the scene has spheres or disks
 CAPCON_CONST kSpecJittered = 3u;     // 1: image samples lie at points of the sampler, 0: at pixel centres
 CAPCON_CONST kSpecAnyHit = 4u;       // rays.comp: 1: any hit will do, 0: the closest

@@ -33,6 +33,5 @@ void main() {
   ray.direction = normalize(to_frame(cosine_hemisphere(u), uintBitsToFloat(facing.xyz)));
   ray.t_max = push.radius;
   ray.skip = at.w;
-  Hit hit = traverse(true, ray, push.tree, live);
-  if (live && hit.slot == kNoPrimitive) atomicAdd(counts[pixel], 1u);
+  if (!occluded(ray, push.tree, live) && live) atomicAdd(counts[pixel], 1u);
 }

@@ -29,7 +29,7 @@ void main() {
   ray.direction = normalize(push.corner.xyz + film.x * push.across.xyz + film.y * push.down.xyz);
   ray.t_max = 3.0e38;
   ray.skip = kNoPrimitive;
-  Hit hit = traverse(false, ray, push.tree, live);
+  Hit hit = closest(ray, push.tree, live);
 
   uint slot = hit.slot == kNoPrimitive ? 0u : hit.slot;
   uvec4 w0 = FETCH(primitive_texels, slot * 3u);

@@ -28,9 +28,10 @@ void main() {
   ray.skip = r1.w;
   Hit hit;
   if (kAnyHit != 0u) {
-    hit = traverse(true, ray, push.tree, live);
+    hit.t = 0.0;
+    hit.slot = occluded(ray, push.tree, live) ? 0u : kNoPrimitive;
   } else {
-    hit = traverse(false, ray, push.tree, live);
+    hit = closest(ray, push.tree, live);
   }
   uint id = hit.slot == kNoPrimitive ? kNoPrimitive : FETCH(primitive_texels, hit.slot * 3u).w;
   if (live) hits[index] = uvec2(floatBitsToUint(hit.t), id);

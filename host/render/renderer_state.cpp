@@ -43,8 +43,11 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options)
   setup.wall["upload"] = seconds_since(start);
   tree.grid_origin = glm::vec4(glm::vec3(geometry.bvh.grid_origin), 0);
   tree.grid_scale = glm::vec4(glm::vec3(geometry.bvh.grid_scale), 0);
-  // A few stack sizes rather than every one: kernels are shared between scenes in the driver's cache.
-  scene_constants[layout::kSpecStackSize] = std::max(8u, (geometry.bvh.stack_entries + 4u) / 4u * 4u);
+  // The stack's array takes what its seven free registers do not hold; a few sizes rather than every one, so that scenes share
+  // kernels in the driver's cache.
+  constexpr std::uint32_t kRegisters = 7;
+  const std::uint32_t entries = geometry.bvh.stack_entries;
+  scene_constants[layout::kSpecStackSize] = entries > kRegisters ? (entries - kRegisters + 3) / 4 * 4 : 1;
   scene_constants[layout::kSpecQuadrics] = quadric_count > 0 ? 1 : 0;
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr double kCells = 65535;
 // Boxes grow by this much of a cell before they are rounded outward: more than the device's rounding of a
 // grid coordinate.
-constexpr double kMargin = 1.0 / 64;
+constexpr double kMargin = 1.0 / 32;
 
 struct Child {
   std::uint32_t node;  // of the binary tree

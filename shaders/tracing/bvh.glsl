@@ -18,25 +18,114 @@ struct Hit {
   vec3 weights;
 };
 
-// A group of sibling nodes still to be visited, in one word: first sibling << 8 | three 2-bit slots, nearest lowest | count.
-const uint kNoGroup = 0u;
 const uint kNoNode = 0xffffffffu;
 const float kFarther = 1.0000012;  // the far planes' share of the rounding of (plane - origin) * inverse
 
-// Visits the tree until a primitive is met (any) or the nearest is known. ANY hits are not the nearest.
-Hit traverse(const bool any, Ray ray, TreeConstants tree, bool live) {
-  GridRay g = to_grid(ray, tree);
+vec4 later(vec4 a, vec4 b) { return mix(b, a, greaterThan(a, b)); }
+vec4 sooner(vec4 a, vec4 b) { return mix(b, a, lessThan(a, b)); }
+
+// Groups of siblings that wait, unsorted: first sibling << 4 | the slots that are left.
+uint mask_rest(uint group) { return group & (group - 1u); }  // of a group with slots left
+uint mask_node(uint group) {
+  uint lowest = group & (0u - group) & 15u;
+  return group == 0u ? kNoNode : (group >> 4u) + (lowest >> 1u) - (lowest >> 3u);
+}
+
+// Whether a ray that starts within the scene's bounds meets anything. Which child comes first hardly matters here, so that
+// nothing is sorted.
+bool occluded(Ray ray, TreeConstants tree, bool live) {
+  vec3 origin = (ray.origin - tree.grid_origin.xyz) * tree.grid_scale.xyz;
+  vec3 direction = ray.direction * tree.grid_scale.xyz;
+  vec3 magnitude = max(abs(direction), vec3(1e-18));  // keeps inverse * 65536 finite, and no 0 * infinity
+  vec3 inverse = mix(1.0 / magnitude, -1.0 / magnitude, lessThan(direction, vec3(0.0)));
   RayFrame frame = ray_frame(ray.direction);
-  Hit hit = Hit(ray.t_max, kNoPrimitive, vec3(0.0));
-  STACK_REGISTERS
-  uint node = live ? 0u : kNoNode;
+  float t_max = live ? ray.t_max : -1.0;  // a lane without a ray leaves the root at once
+  bool hit = false;
+  STACK
+  uint node = 0u;
   uint first = 0u;
   uint mask = 0u;  // primitives first + bit that are still to be tested
   do {
     do {
-      // A lane that has nothing to visit runs along on the root and changes nothing.
-      bool visiting = node != kNoNode && mask == 0u;
-      uint at = visiting ? node * 4u : 0u;
+      uint at = node * 4u;
+      uvec4 x = FETCH(node_texels, at);
+      uvec4 y = FETCH(node_texels, at + 1u);
+      uvec4 z = FETCH(node_texels, at + 2u);
+      uvec4 links = FETCH(node_texels, at + 3u);
+      vec4 x0 = (vec4(ivec4(x & 0xffffu)) - origin.x) * inverse.x;
+      vec4 x1 = (vec4(ivec4(x >> 16u)) - origin.x) * inverse.x;
+      vec4 y0 = (vec4(ivec4(y & 0xffffu)) - origin.y) * inverse.y;
+      vec4 y1 = (vec4(ivec4(y >> 16u)) - origin.y) * inverse.y;
+      vec4 z0 = (vec4(ivec4(z & 0xffffu)) - origin.z) * inverse.z;
+      vec4 z1 = (vec4(ivec4(z >> 16u)) - origin.z) * inverse.z;
+      vec4 enter = later(later(sooner(x0, x1), sooner(y0, y1)), later(sooner(z0, z1), vec4(0.0)));
+      vec4 leave = sooner(sooner(later(x0, x1), later(y0, y1)), sooner(later(z0, z1), vec4(t_max)));
+      bvec4 met = lessThanEqual(enter, leave);
+      uint leaf = (met.x ? links.z & 0xffffu : 0u) | (met.y ? links.z >> 16u : 0u) |
+                  (met.z ? links.w & 0xffffu : 0u) | (met.w ? links.w >> 16u : 0u);
+      uint inner = ((met.x ? 1u : 0u) | (met.y ? 2u : 0u) | (met.z ? 4u : 0u) | (met.w ? 8u : 0u)) & links.x;
+      mask |= leaf;
+      first = leaf != 0u ? links.y : first;
+      bool pop = inner == 0u;
+      uint group = pop ? s0 : (links.x & ~15u) | inner;
+      uint rest = mask_rest(group);
+      bool more = (rest & 15u) != 0u;
+      bool push = !pop && more;  // what is left of the children goes on top
+      bool drop = pop && !more;  // the top group is used up
+      s0 = pop && more ? rest : s0;
+      STACK_MOVE(push, drop, rest)
+      node = mask_node(group);
+    } while (node != kNoNode && mask == 0u && !STACK_FULL);
+    do {
+      bool testing = mask != 0u;
+      uint bit = testing ? uint(findLSB(mask)) : 0u;
+      mask &= mask - 1u;
+      uint slot = first + bit;
+      uvec4 w0 = FETCH(primitive_texels, slot * 3u);
+      uvec4 w1 = FETCH(primitive_texels, slot * 3u + 1u);
+      uvec4 w2 = FETCH(primitive_texels, slot * 3u + 2u);
+      vec4 met = meet_triangle(ray, frame, uintBitsToFloat(w0.xyz), uintBitsToFloat(w1.xyz), uintBitsToFloat(w2.xyz));
+      if (kHasQuadrics != 0u) {
+        bool quadric = (w0.w & kQuadricBit) != 0u;
+        float t = meet_quadric(ray, quadric ? w0.w & ~kQuadricBit : 0u, 0.0);
+        met = quadric ? vec4(t, 0.0, 0.0, 0.0) : met;
+      }
+      bool nearer = testing && met.x > 0.0 && met.x < t_max && w0.w != ray.skip;
+      hit = hit || nearer;
+      mask = nearer ? 0u : mask;
+    } while (mask != 0u);
+    STACK_SPILL
+    bool refill = node == kNoNode && waiting_count != 0u;
+    waiting_count -= refill ? 1u : 0u;
+    uint group = refill ? waiting[waiting_count] : 0u;
+    uint rest = mask_rest(group);
+    s0 = refill && (rest & 15u) != 0u ? rest : s0;
+    node = refill ? mask_node(group) : node;
+    node = hit ? kNoNode : node;
+  } while (node != kNoNode);
+  return hit;
+}
+
+// Groups sorted by distance: first sibling << 8 | three 2-bit slots, nearest lowest | count.
+uint list_rest(uint group) {
+  uint left = group & 3u;
+  return left <= 1u ? 0u : (group & 0xffffff00u) | ((group & 0xf0u) >> 2u) | (left - 1u);
+}
+uint list_node(uint group) { return (group & 3u) == 0u ? kNoNode : (group >> 8u) + ((group >> 2u) & 3u); }
+
+// The nearest primitive that a ray from anywhere meets.
+Hit closest(Ray ray, TreeConstants tree, bool live) {
+  GridRay g = to_grid(ray, tree);
+  RayFrame frame = ray_frame(ray.direction);
+  Hit hit = Hit(live ? ray.t_max : -1.0,  // a lane without a ray leaves the root at once
+                 kNoPrimitive, vec3(0.0));
+  STACK
+  uint node = 0u;
+  uint first = 0u;
+  uint mask = 0u;  // primitives first + bit that are still to be tested
+  do {
+    do {
+      uint at = node * 4u;
       uvec4 x = FETCH(node_texels, at);
       uvec4 y = FETCH(node_texels, at + 1u);
       uvec4 z = FETCH(node_texels, at + 2u);
@@ -47,15 +136,15 @@ Hit traverse(const bool any, Ray ray, TreeConstants tree, bool live) {
       vec4 far_y = (vec4((y >> (16u - g.shift.y)) & 0xffffu) - g.far.y) * g.inverse.y;
       vec4 near_z = (vec4((z >> g.shift.z) & 0xffffu) - g.near.z) * g.inverse.z;
       vec4 far_z = (vec4((z >> (16u - g.shift.z)) & 0xffffu) - g.far.z) * g.inverse.z;
-      vec4 enter = max(max(near_x, near_y), max(near_z, vec4(0.0)));
-      vec4 leave = min(min(far_x, far_y), min(far_z, vec4(hit.t))) * kFarther;
+      vec4 enter = later(later(near_x, near_y), later(near_z, vec4(0.0)));
+      vec4 leave = sooner(sooner(far_x, far_y), sooner(far_z, vec4(hit.t))) * kFarther;
       bvec4 met = lessThanEqual(enter, leave);
 
       // Leaves at once into the mask of primitives to test.
       uint leaf = (met.x ? links.z & 0xffffu : 0u) | (met.y ? links.z >> 16u : 0u) |
                   (met.z ? links.w & 0xffffu : 0u) | (met.w ? links.w >> 16u : 0u);
-      mask |= visiting ? leaf : 0u;
-      first = visiting && leaf != 0u ? links.y : first;
+      mask |= leaf;
+      first = leaf != 0u ? links.y : first;
 
       // Inner children, nearest first: sorted as ints, the slot in the two lowest bits of the distance.
       uint inner = links.x & 0xfu;
@@ -78,19 +167,14 @@ Hit traverse(const bool any, Ray ray, TreeConstants tree, bool live) {
       uint siblings = base << 8u | (uint(k1) & 3u) << 2u | (uint(k2) & 3u) << 4u | (uint(k3) & 3u) << 6u | (found - 1u);
 
       // Down to the nearest child, the others onto the stack; or up to the next sibling of the top group.
-      bool push = visiting && found > 1u;
-      bool pop = visiting && found == 0u;
+      bool push = found > 1u;
+      bool pop = found == 0u;
       uint top = s0;
-      uint left = top & 3u;
-      bool drop = pop && left <= 1u;
-      uint kept = s1;
-      uint shorter = (top & 0xffffff00u) | ((top & 0xf0u) >> 2u) | (left - 1u);
-      STACK_SHIFT
-      s0 = push ? siblings : (drop ? kept : (pop ? shorter : top));
-      uint up = left == 0u ? kNoNode : (top >> 8u) + ((top >> 2u) & 3u);
-      uint down = base + (uint(k0) & 3u);
-      node = visiting ? (found == 0u ? up : down) : node;
-    } while (node != kNoNode && mask == 0u);
+      bool drop = pop && (top & 3u) <= 1u;
+      s0 = pop ? list_rest(top) : top;
+      STACK_MOVE(push, drop, siblings)
+      node = pop ? list_node(top) : base + (uint(k0) & 3u);
+    } while (node != kNoNode && mask == 0u && !STACK_FULL);
     do {
       bool testing = mask != 0u;
       uint bit = testing ? uint(findLSB(mask)) : 0u;
@@ -109,11 +193,13 @@ Hit traverse(const bool any, Ray ray, TreeConstants tree, bool live) {
       hit.t = nearer ? met.x : hit.t;
       hit.slot = nearer ? slot : hit.slot;
       hit.weights = nearer ? met.yzw : hit.weights;
-      if (any) {
-        mask = nearer ? 0u : mask;
-        node = nearer ? kNoNode : node;
-      }
     } while (mask != 0u);
+    STACK_SPILL
+    bool refill = node == kNoNode && waiting_count != 0u;
+    waiting_count -= refill ? 1u : 0u;
+    uint group = refill ? waiting[waiting_count] : 0u;
+    s0 = refill ? list_rest(group) : s0;
+    node = refill ? list_node(group) : node;
   } while (node != kNoNode);
   return hit;
 }
