@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/parallel.h"
@@ -74,7 +75,7 @@ void add_periodogram(Spectrum& spectrum, const Points& points) {
 }
 
 double decibel(double ratio) {
-  return 10 * std::log10(std::max(ratio, 1e-10));
+  return std::isnan(ratio) ? ratio : 10 * std::log10(std::max(ratio, 1e-10));
 }
 
 }  // namespace
@@ -110,20 +111,24 @@ RadialSpectrum radial_spectrum(const Spectrum& spectrum) {
   RadialSpectrum radial;
   radial.low = low_count > 0 ? low / low_count : 0;
   double ratios = 0;
+  int rated = 0;
   for (std::size_t r = 1; r < rings.size(); ++r) {
     const auto& ring = rings[r];
     double mean = 0, squares = 0;
     for (const double power : ring) mean += power / static_cast<double>(ring.size());
     for (const double power : ring) squares += (power - mean) * (power - mean);
+    const bool rounding =
+        mean < 1e-12 * static_cast<double>(spectrum.n);  // P(0) = n has errors of about eps^2 n^2
     const double ratio =
-        mean > 0 ? squares / static_cast<double>(ring.size() - 1) / (mean * mean) : 0;  // rings hold >= 4
-    ratios += ratio / spectrum.reach;
+        rounding ? std::numeric_limits<double>::quiet_NaN()
+                 : squares / static_cast<double>(ring.size() - 1) / (mean * mean);  // >= 4 in each
+    if (!rounding) ratios += ratio, ++rated;
     radial.frequency.push_back(static_cast<double>(r) / root);
     radial.mean.push_back(mean);
     radial.anisotropy.push_back(decibel(ratio));
     if (mean > radial.peak) radial.peak = mean, radial.peak_frequency = radial.frequency.back();
   }
-  radial.mean_anisotropy = decibel(ratios);
+  radial.mean_anisotropy = decibel(ratios / std::max(rated, 1));
   return radial;
 }
 

@@ -35,8 +35,8 @@ struct RadialSpectrum {
   std::vector<double> frequency;   ///< r / sqrt(n)
   std::vector<double> mean;        ///< of P over the ring: P_r
   std::vector<double> anisotropy;  ///< 10 log10(s_r^2 / P_r^2) dB, s_r^2 the sample variance over the ring;
-                                   ///< never below -100
-  double mean_anisotropy = 0;      ///< the same of the means over all rings of s_r^2 / P_r^2
+                                   ///< never below -100; NaN where P_r is nothing but rounding (lattices)
+  double mean_anisotropy = 0;      ///< the same of the mean of s_r^2 / P_r^2 over the rings that have it
   double low = 0;             ///< mean of P where 0 < |k| <= sqrt(n) / 2: noise where the eye sees it first
   double peak = 0;            ///< largest P_r
   double peak_frequency = 0;  ///< and where, in units of sqrt(n)
