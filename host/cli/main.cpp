@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.fallthrough(false);
   cli::add_study_verb(app);
+  cli::add_integrate_verb(app);
   cli::add_render_verb(app);
   cli::add_compare_verb(app);
   cli::add_points_verb(app);
