@@ -1,6 +1,6 @@
 #include "integrate/trials.h"
 
-#include "integrate/star_discrepancy.h"
+#include "points/discrepancy.h"
 #include "reference/hemisphere.h"
 
 namespace capcon::integrate {

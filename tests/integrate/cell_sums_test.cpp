@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "base/hash.h"
-#include "integrate/star_discrepancy.h"
 #include "points/generators.h"
 #include "points/measure.h"
 
@@ -86,28 +85,6 @@ TEST(CellSums, GridIsCentroidal) {
 TEST(CellSums, SecondDerivativeBoundIsReached) {
   EXPECT_NEAR(second_derivative_bound(square_of({{0.5, 0.5}}), 1, 2), 1.0 / 6, 1e-12);
   EXPECT_NEAR(second_derivative_bound(square_of({{0.2, 0.5}}), 1, 0), 0.3, 1e-12);
-}
-
-// Every rectangle that can be the worst, open and closed, by counting.
-TEST(StarDiscrepancy, AgreesWithCountingAllBoxes) {
-  for (const char* name : {"random", "sobol", "jittered"}) {
-    const Points points = generate(name, {.n = 24, .seed = 5});
-    double largest = 0;
-    std::vector<double> xs{1}, ys{1};
-    for (const glm::dvec2& p : points) xs.push_back(p.x), ys.push_back(p.y);
-    for (const double x : xs) {
-      for (const double y : ys) {
-        int open = 0, closed = 0;
-        for (const glm::dvec2& p : points) {
-          open += p.x < x && p.y < y;
-          closed += p.x <= x && p.y <= y;
-        }
-        largest = std::max({largest, x * y - open / 24.0, closed / 24.0 - x * y});
-      }
-    }
-    EXPECT_NEAR(star_discrepancy(points), largest, 1e-14) << name;
-  }
-  EXPECT_NEAR(star_discrepancy({{0.5, 0.5}}), 0.75, 1e-15);
 }
 
 }  // namespace
