@@ -23,6 +23,7 @@ struct Options {
   std::vector<std::string> files;
   std::string plot;
   std::size_t columns = 0;
+  double scale = 1.5;
   bool json = false, sets = false, all = false;
 };
 
@@ -77,8 +78,9 @@ void draw(const Options& options, const std::vector<Group>& groups) {
                        group.sets[0], group.mean, group.spectrum, group.radial});
   }
   const plot::MeasureSheet sheet(std::move(entries), options.columns);
-  plot::write_picture(options.plot, sheet.width(), sheet.height(),
-                      [&](plot::Canvas& canvas) { sheet.draw(canvas); });
+  plot::write_picture(
+      options.plot, sheet.width(), sheet.height(), [&](plot::Canvas& canvas) { sheet.draw(canvas); },
+      options.scale);
 }
 
 void print_json(const Options& options, const std::vector<Group>& groups) {
@@ -163,6 +165,10 @@ void add_measure_verb(CLI::App& app) {
   verb->add_option("--columns", options->columns, "of the sheet, in one row (default: up to six, rows even)")
       ->check(CLI::Range(1, 64))
       ->type_name("C");
+  verb->add_option("--scale", options->scale, "pixels a unit of a PNG; a column is 266 units wide")
+      ->check(CLI::Range(0.5, 8.0))
+      ->capture_default_str()
+      ->type_name("S");
   verb->add_flag("--json", options->json,
                  "print one JSON array, an object a row, with its spectrum by radius");
   verb->add_flag("--sets", options->sets, "a row a set instead of means over a file's sets");

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "plot/indexed_png.h"
 #include "plot/palette.h"
 #include "plot/raster_canvas.h"
 #include "plot/svg_canvas.h"

@@ -4,16 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "image/image.h"
 #include "plot/glyphs.h"
 
 namespace capcon::plot {
 namespace {
-
-float linear(std::uint8_t srgb) {
-  const double v = srgb / 255.0;
-  return float(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
-}
 
 using Lines = std::vector<std::vector<glm::dvec2>>;
 
@@ -136,20 +130,6 @@ void RasterCanvas::begin_clip(const Box& box) {
 
 void RasterCanvas::end_clip() {
   clip_ = {0, 0, pixels_.width, pixels_.height};
-}
-
-std::string encode_png(const Pixels& pixels) {
-  std::array<float, 256> table;
-  for (int v = 0; v < 256; ++v) table[v] = linear(std::uint8_t(v));
-  const bool grey = std::all_of(pixels.colours.begin(), pixels.colours.end(),
-                                [](Colour c) { return c.r == c.g && c.g == c.b; });
-  Image image(pixels.width, pixels.height, grey ? 1 : 3);
-  float* out = image.pixels.data();
-  for (const Colour& c : pixels.colours) {
-    *out++ = table[c.r];
-    if (!grey) *out++ = table[c.g], *out++ = table[c.b];
-  }
-  return capcon::encode_png(image);
 }
 
 }  // namespace capcon::plot

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "plot/canvas.h"
 #include "plot/coverage.h"
 
@@ -30,8 +28,5 @@ class RasterCanvas : public Canvas {
   Pixels pixels_;
   PixelBounds clip_;
 };
-
-/// The pixels as a PNG, colours as they are (sRGB).
-std::string encode_png(const Pixels& pixels);
 
 }  // namespace capcon::plot

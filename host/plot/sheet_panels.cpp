@@ -76,7 +76,7 @@ void draw_spectrum(Canvas& canvas, const Box& box, const Spectrum& spectrum) {
     for (int kx = -spectrum.reach; kx <= spectrum.reach; ++kx)
       // Noise takes the most room in a file; nobody sees more greys in it than these.
       pixels.colours.push_back(
-          grey(kx == 0 && ky == 0 ? 0 : std::round(31 * std::sqrt(spectrum.at(kx, ky) / kWhiteAt)) / 31));
+          grey(kx == 0 && ky == 0 ? 0 : std::round(32 * std::sqrt(spectrum.at(kx, ky) / kWhiteAt)) / 32));
   }
   canvas.image(box, pixels);
 }

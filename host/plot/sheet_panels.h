@@ -11,7 +11,7 @@ namespace capcon::plot {
 /// = all.
 double draw_cells(Canvas& canvas, const Box& box, const Points& points);
 
-/// The spectrum in 32 greys of sqrt(P / 4): white noise is middle grey, P >= 4 white. P(0) is left out
+/// The spectrum in 33 greys of sqrt(P / 4): white noise is middle grey, P >= 4 white. P(0) is left out
 /// (black).
 void draw_spectrum(Canvas& canvas, const Box& box, const Spectrum& spectrum);
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "plot/raster_canvas.h"
+#include "plot/indexed_png.h"
 
 namespace capcon::plot {
 namespace {

@@ -8,7 +8,7 @@ namespace capcon {
 /// area| over all boxes with one corner at the origin, closed or open. Only boxes that end at coordinates of
 /// points (or at 1) can be critical (Niederreiter 1972, "Discrepancy and convex programming"; Bundschuh and
 /// Zhu 1993): a sweep over x keeps the y of the points passed in order. O(n^2) time, O(n) memory a thread:
-/// 0.2 s of processor time for 16,384 points. 0 for no points; else in [1/(2n), 1].
+/// 0.5 s of processor time for 16,384 points. 0 for no points; else in [1/(2n), 1].
 double star_discrepancy(const Points& points);
 
 /// The same difference squared and averaged over all boxes, then its root (Warnock 1972):

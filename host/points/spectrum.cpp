@@ -99,7 +99,7 @@ RadialSpectrum radial_spectrum(const Spectrum& spectrum) {
   std::vector<std::vector<double>> rings(std::size_t(spectrum.reach) + 1);
   const double root = std::sqrt(static_cast<double>(spectrum.n));
   double low = 0;
-  int low_count = 0;
+  double low_count = 0;
   for (int ky = 0; ky <= spectrum.reach; ++ky) {
     for (int kx = ky == 0 ? 1 : -spectrum.reach; kx <= spectrum.reach; ++kx) {
       const double radius = std::hypot(kx, ky), power = spectrum.at(kx, ky);
@@ -109,7 +109,7 @@ RadialSpectrum radial_spectrum(const Spectrum& spectrum) {
     }
   }
   RadialSpectrum radial;
-  radial.low = low_count > 0 ? low / low_count : 0;
+  radial.low = low / low_count;  // NaN where there is no such frequency
   double ratios = 0;
   int rated = 0;
   for (std::size_t r = 1; r < rings.size(); ++r) {

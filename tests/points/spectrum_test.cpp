@@ -106,6 +106,18 @@ TEST(RadialSpectrum, RingsOfAKnownSquare) {
   EXPECT_DOUBLE_EQ(radial.peak_frequency, 1);
 }
 
+TEST(RadialSpectrum, WhatIsNotThereIsNotANumber) {
+  // A lattice: no power between the dual's points, so no anisotropy there but rounding's.
+  Points points;
+  for (int i = 0; i < 64; ++i) points.emplace_back((i % 8 + 0.3) / 8, (i / 8 + 0.6) / 8);
+  const RadialSpectrum lattice = radial_spectrum(power_spectrum({points}, 20));
+  EXPECT_TRUE(std::isnan(lattice.anisotropy[3]));  // ring 4
+  EXPECT_GT(lattice.anisotropy[7], 0);             // ring 8 holds (8, 0)
+  EXPECT_GT(lattice.mean_anisotropy, 0);
+  EXPECT_EQ(lattice.peak_frequency, 1);
+  EXPECT_TRUE(std::isnan(radial_spectrum(power_spectrum({{{0.5, 0.5}}}, 4)).low));
+}
+
 TEST(RadialSpectrum, IsotropicPowerHasNoAnisotropy) {
   const Spectrum flat{100, 1, 10, std::vector<double>(21 * 21, 3.0)};
   const RadialSpectrum radial = radial_spectrum(flat);
