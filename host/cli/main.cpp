@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
   cli::add_compare_verb(app);
   cli::add_points_verb(app);
   cli::add_measure_verb(app);
+  cli::add_partition_verb(app);
   cli::add_tiles_verb(app);
   cli::add_bench_verb(app);
   cli::add_info_verb(app);

@@ -8,6 +8,7 @@ namespace capcon::cli {
 // value with --json), messages and progress to stderr, errors leave as InputError or Failure.
 void add_points_verb(CLI::App& app);
 void add_measure_verb(CLI::App& app);
+void add_partition_verb(CLI::App& app);
 void add_tiles_verb(CLI::App& app);
 void add_render_verb(CLI::App& app);
 void add_compare_verb(CLI::App& app);
