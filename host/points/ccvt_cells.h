@@ -20,7 +20,7 @@ struct CcvtSite {
   float reach = 0;                    ///< no space point is farther from the centre
   float inner = 0;  ///< the slots from `outer` on hold points no farther than this from the centre
   std::uint32_t outer = 0;
-  std::uint32_t changed = 1;  ///< the time of the last exchange
+  double travel = 0;  ///< how far the site has moved in all, at least
 };
 
 /// The sites and their space points: exactly `capacity` slots a site, one site after another.

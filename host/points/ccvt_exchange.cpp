@@ -3,69 +3,24 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
+
+#include "points/ccvt_keys.h"
 
 namespace capcon {
 
 namespace {
 
-using Candidate = CcvtScratch::Candidate;
-
-// Four lanes: what every x86-64 and ARMv8 has. The compiler splits or maps them elsewhere.
-using Floats = float __attribute__((vector_size(16)));
-using Words = std::int32_t __attribute__((vector_size(16)));
-using Unsigned = std::uint32_t __attribute__((vector_size(16)));
-
-/// keys[k] = u . (point k - centre) for the slots [begin, end); returns the largest, or `largest`.
-float project(const std::uint32_t* x, const std::uint32_t* y, std::uint32_t begin, std::uint32_t end,
-              TorusPoint centre, float ux, float uy, float* keys, float largest) {
-  const auto cx = static_cast<std::int32_t>(centre.x), cy = static_cast<std::int32_t>(centre.y);
-  const Words vcx = {cx, cx, cx, cx}, vcy = {cy, cy, cy, cy};
-  const Floats vux = {ux, ux, ux, ux}, vuy = {uy, uy, uy, uy};
-  Floats best = {largest, largest, largest, largest};
-  std::uint32_t k = begin;
-  for (; k + 4 <= end; k += 4) {
-    Words px, py;
-    std::memcpy(&px, x + k, sizeof px);
-    std::memcpy(&py, y + k, sizeof py);
-    const Words dx = (Words)((Unsigned)px - (Unsigned)vcx), dy = (Words)((Unsigned)py - (Unsigned)vcy);
-    const Floats key = __builtin_convertvector(dx, Floats) * vux + __builtin_convertvector(dy, Floats) * vuy;
-    std::memcpy(keys + k, &key, sizeof key);
-    best = key > best ? key : best;
-  }
-  for (; k < end; ++k) {
-    keys[k] = static_cast<float>(difference(x[k], centre.x)) * ux +
-              static_cast<float>(difference(y[k], centre.y)) * uy;
-    largest = std::max(largest, keys[k]);
-  }
-  return std::max({largest, best[0], best[1], best[2], best[3]});
-}
-
 /// The slots whose key is above the limit, largest key first.
-void collect(const std::vector<float>& keys, std::uint32_t count, float limit, std::vector<Candidate>& into) {
-  into.clear();
-  const Floats vlimit = {limit, limit, limit, limit};
-  std::uint32_t k = 0;
-  for (; k + 8 <= count; k += 8) {  // nearly all keys are below: pass over them eight at a time
-    Floats low, high;
-    std::memcpy(&low, keys.data() + k, sizeof low);
-    std::memcpy(&high, keys.data() + k + 4, sizeof high);
-    const Words above = (low > vlimit) | (high > vlimit);
-    std::uint64_t any[2];
-    std::memcpy(any, &above, sizeof any);
-    if ((any[0] | any[1]) == 0) continue;
-    for (std::uint32_t q = k; q < k + 8; ++q) {
-      if (keys[q] > limit) into.push_back({keys[q], q});
-    }
-  }
-  for (; k < count; ++k) {
-    if (keys[k] > limit) into.push_back({keys[k], k});
-  }
-  std::sort(into.begin(), into.end(), [](const Candidate& a, const Candidate& b) {
+std::uint32_t collect(const CcvtKernels& kernels, const std::vector<float>& keys, std::uint32_t count,
+                      float limit, std::vector<CcvtCandidate>& into) {
+  if (into.size() < count) into.resize(count);
+  const std::uint32_t found = kernels.select(keys.data(), count, limit, into.data());
+  std::sort(into.begin(), into.begin() + found, [](const CcvtCandidate& a, const CcvtCandidate& b) {
     return a.key != b.key ? a.key > b.key : a.slot < b.slot;
   });
+  return found;
 }
 
 /// One point into a slot of site s in place of another.
@@ -74,6 +29,7 @@ struct Replacement {
   std::size_t s;
   CcvtSite& site = cells.sites[s];
   bool unsorted = false;  ///< an inner slot got a point that is too far out
+  bool refitted = false;
   float reach2 = site.reach * site.reach;
 
   void put(std::uint32_t slot, TorusPoint old, TorusPoint fresh) {
@@ -89,16 +45,19 @@ struct Replacement {
   }
   void finish() {
     site.reach = std::sqrt(reach2);
+    const double x = site.x, y = site.y;
     cells.place(s);
+    site.travel += 1 + std::sqrt((site.x - x) * (site.x - x) + (site.y - y) * (site.y - y));
     const double drift = 0.1 * site.inner;
-    if (unsorted || cells.is_large(s) || site.x * site.x + site.y * site.y > drift * drift) cells.refit(s);
+    refitted = unsorted || cells.is_large(s) || site.x * site.x + site.y * site.y > drift * drift;
+    if (refitted) cells.refit(s);
   }
 };
 
 /// Trades the foremost candidates of both sides while their keys add up to more than the limit.
-std::uint32_t trade(CcvtCells& cells, std::size_t i, std::size_t j, float limit, const CcvtScratch& scratch) {
+std::uint32_t trade(CcvtCells& cells, std::size_t i, std::size_t j, float limit, CcvtScratch& scratch) {
   Replacement to_i{cells, i}, to_j{cells, j};
-  const std::size_t most = std::min(scratch.from_i.size(), scratch.from_j.size());
+  const std::uint32_t most = std::min(scratch.count_i, scratch.count_j);
   std::uint32_t count = 0;
   for (; count < most && scratch.from_i[count].key + scratch.from_j[count].key > limit; ++count) {
     const std::uint32_t a = scratch.from_i[count].slot, b = scratch.from_j[count].slot;
@@ -109,6 +68,16 @@ std::uint32_t trade(CcvtCells& cells, std::size_t i, std::size_t j, float limit,
   if (count > 0) {
     to_i.finish();
     to_j.finish();
+    scratch.refitted_i = to_i.refitted;
+    scratch.refitted_j = to_j.refitted;
+    // What is left: the next candidate or, when there is none, a key that was too low to be one; and what
+    // came over, whose keys on the other side are mirrored about `apart`.
+    CcvtFront& front = scratch.front;
+    const float last_i = scratch.from_i[count - 1].key, last_j = scratch.from_j[count - 1].key;
+    const float rest_i = count < scratch.count_i ? scratch.from_i[count].key : limit - front.most_j;
+    const float rest_j = count < scratch.count_j ? scratch.from_j[count].key : limit - front.most_i;
+    front.most_i = std::max(rest_i, limit - last_j);
+    front.most_j = std::max(rest_j, limit - last_i);
   }
   return count;
 }
@@ -134,19 +103,25 @@ float compare_images(const CcvtCells& cells, std::size_t s, std::size_t t, std::
 }  // namespace
 
 std::uint32_t exchange(CcvtCells& cells, std::size_t i, std::size_t j, CcvtScratch& scratch) {
+  static const CcvtKernels kernels = best_ccvt_kernels();
   const std::uint32_t capacity = cells.capacity();
   const CcvtSite& a = cells.sites[i];
   const CcvtSite& b = cells.sites[j];
   scratch.keys_i.resize(capacity);
   scratch.keys_j.resize(capacity);
+  constexpr float kUnknown = std::numeric_limits<float>::infinity();
+  scratch.front = {0, 0, kUnknown, kUnknown, 0};
 
   if (cells.is_large(i) || cells.is_large(j)) {  // the nearest images of a point may differ for the two sites
     const float most_i = compare_images(cells, i, j, scratch.keys_i);
     const float most_j = compare_images(cells, j, i, scratch.keys_j);
     const float epsilon = 0x1p-20f * 0x1p62f;  // keys are at most 2^63, rounded at 2^-24 of that
-    if (most_i + most_j <= epsilon) return 0;
-    collect(scratch.keys_i, capacity, epsilon - most_j, scratch.from_i);
-    collect(scratch.keys_j, capacity, epsilon - most_i, scratch.from_j);
+    if (most_i + most_j <= epsilon) {
+      scratch.front = {0, 0, 0, 0, 0};  // settled until a site moves
+      return 0;
+    }
+    scratch.count_i = collect(kernels, scratch.keys_i, capacity, epsilon - most_j, scratch.from_i);
+    scratch.count_j = collect(kernels, scratch.keys_j, capacity, epsilon - most_i, scratch.from_j);
     return trade(cells, i, j, epsilon, scratch);
   }
 
@@ -161,23 +136,27 @@ std::uint32_t exchange(CcvtCells& cells, std::size_t i, std::size_t j, CcvtScrat
   // finitely many.
   const auto apart = static_cast<float>(centres_x * ux + centres_y * uy);
   const float limit = apart + 0x1p-20f * (a.reach + b.reach + std::abs(apart));
+  scratch.front = {ux, uy, a.reach, b.reach, limit};
   if (a.reach + b.reach <= limit) return 0;
   constexpr float kNone = -std::numeric_limits<float>::infinity();
   std::uint32_t count_i = a.outer, count_j = b.outer;
-  float most_i = project(cells.x(i), cells.y(i), 0, count_i, a.centre, ux, uy, scratch.keys_i.data(), kNone);
+  float most_i =
+      kernels.project(cells.x(i), cells.y(i), 0, count_i, a.centre, ux, uy, scratch.keys_i.data(), kNone);
   float most_j =
-      project(cells.x(j), cells.y(j), 0, count_j, b.centre, -ux, -uy, scratch.keys_j.data(), kNone);
+      kernels.project(cells.x(j), cells.y(j), 0, count_j, b.centre, -ux, -uy, scratch.keys_j.data(), kNone);
   // Inner points cannot have larger keys than the inner radius: mostly that leaves them out.
   if (a.inner > limit - std::max(most_j, b.inner) || b.inner > limit - std::max(most_i, a.inner)) {
-    most_i =
-        project(cells.x(i), cells.y(i), count_i, capacity, a.centre, ux, uy, scratch.keys_i.data(), most_i);
-    most_j =
-        project(cells.x(j), cells.y(j), count_j, capacity, b.centre, -ux, -uy, scratch.keys_j.data(), most_j);
+    most_i = kernels.project(cells.x(i), cells.y(i), count_i, capacity, a.centre, ux, uy,
+                             scratch.keys_i.data(), most_i);
+    most_j = kernels.project(cells.x(j), cells.y(j), count_j, capacity, b.centre, -ux, -uy,
+                             scratch.keys_j.data(), most_j);
     count_i = count_j = capacity;
   }
+  scratch.front.most_i = count_i < capacity ? std::max(most_i, a.inner) : most_i;
+  scratch.front.most_j = count_j < capacity ? std::max(most_j, b.inner) : most_j;
   if (most_i + most_j <= limit) return 0;
-  collect(scratch.keys_i, count_i, limit - most_j, scratch.from_i);
-  collect(scratch.keys_j, count_j, limit - most_i, scratch.from_j);
+  scratch.count_i = collect(kernels, scratch.keys_i, count_i, limit - most_j, scratch.from_i);
+  scratch.count_j = collect(kernels, scratch.keys_j, count_j, limit - most_i, scratch.from_j);
   return trade(cells, i, j, limit, scratch);
 }
 

@@ -4,17 +4,24 @@
 #include <vector>
 
 #include "points/ccvt_cells.h"
+#include "points/ccvt_keys.h"
 
 namespace capcon {
 
-/// Buffers of one thread.
+/// What a look at a pair of sites finds: a direction u (a unit vector about from i to j), and that no point p
+/// of i has u . (p - centre of i) > most_i and no q of j has -u . (q - centre of j) > most_j. Nothing can be
+/// gained while most_i + most_j <= limit and u stays.
+struct CcvtFront {
+  float ux, uy, most_i, most_j, limit;
+};
+
+/// Buffers of one thread, and what the last exchange found.
 struct CcvtScratch {
-  struct Candidate {
-    float key;
-    std::uint32_t slot;
-  };
   std::vector<float> keys_i, keys_j;
-  std::vector<Candidate> from_i, from_j;
+  std::vector<CcvtCandidate> from_i, from_j;  ///< points changed places in the first slots of both
+  std::uint32_t count_i = 0, count_j = 0;     ///< candidates in them
+  CcvtFront front;                            ///< after it
+  bool refitted_i = false, refitted_j = false;
 };
 
 /// Exchanges space points between sites i and j as long as that gains, best first, then moves both sites to

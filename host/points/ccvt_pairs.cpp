@@ -3,133 +3,237 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
 
 namespace capcon {
 
 namespace {
 
-glm::dvec2 wrapped(glm::dvec2 d) {
-  return d - glm::round(d);
+constexpr float kUnknown = std::numeric_limits<float>::infinity();
+constexpr std::uint32_t kMasks = 64;  // batches that a site's pairs are told apart by
+
+/// How far a circle may move and grow before its pairs are found anew.
+float slack_of(std::size_t n) {
+  return static_cast<float>(0.1 * 0x1p32 / std::sqrt(static_cast<double>(n)));
+}
+
+float distance(TorusPoint a, TorusPoint b) {
+  const auto dx = static_cast<float>(difference(b.x, a.x)), dy = static_cast<float>(difference(b.y, a.y));
+  return std::sqrt(dx * dx + dy * dy);
 }
 
 }  // namespace
 
 CcvtPairs::Circle CcvtPairs::circle_of(const CcvtSite& site) {
-  const double x = site.centre.x + site.x, y = site.centre.y + site.y;
-  glm::dvec2 centre = glm::dvec2(x, y) * 0x1p-32;
-  centre -= glm::floor(centre);
-  return {centre, (site.reach + std::hypot(site.x, site.y)) * 0x1p-32, 0};
+  const auto x = static_cast<std::int64_t>(site.x), y = static_cast<std::int64_t>(site.y);
+  return {{site.centre.x + static_cast<std::uint32_t>(x), site.centre.y + static_cast<std::uint32_t>(y)},
+          site.reach + static_cast<float>(std::sqrt(site.x * site.x + site.y * site.y))};
 }
 
-bool CcvtPairs::is_stale(const CcvtCells& cells) const {
-  if (circles_.size() != cells.size()) return true;
-  for (std::size_t i = 0; i < circles_.size(); ++i) {
+bool CcvtPairs::is_settled(const CcvtCells& cells, const Pair& pair) const {
+  const CcvtSite& a = cells.sites[pair.i];
+  const CcvtSite& b = cells.sites[pair.j];
+  const float margin = pair.front.limit - pair.front.most_i - pair.front.most_j;
+  const double moved = a.travel + b.travel - pair.travel;
+  if (!(margin >= 0)) return false;
+  if (!keeps_account_ || moved == 0) return moved == 0;
+  // The sites are `moved` away from where they were, as seen from each other, so the direction has turned by
+  // an angle of sine at most moved / distance. Across it, two points are no farther apart than `wide`.
+  const double dx = difference(b.centre.x, a.centre.x) + b.x - a.x;
+  const double dy = difference(b.centre.y, a.centre.y) + b.y - a.y;
+  const double distance2 = dx * dx + dy * dy;
+  const double wide = a.reach + b.reach + 0.25f * a.inner;
+  return 100 * moved * moved <= distance2 &&
+         1.05 * (moved * wide) * (moved * wide) <= static_cast<double>(margin) * margin * distance2;
+}
+
+void CcvtPairs::note_arrivals(const CcvtCells& cells, std::uint32_t i,
+                              const std::vector<CcvtCandidate>& slots, std::uint32_t count,
+                              const Pair& than) {
+  if (!keeps_account_) return;
+  const TorusPoint centre = cells.sites[i].centre;
+  for (std::uint32_t e = first_[i]; e < first_[i + 1]; ++e) {
+    Pair& pair = pairs_[of_site_[e]];
+    if (&pair == &than) continue;
+    const bool is_first = pair.i == i;
+    float& most = is_first ? pair.front.most_i : pair.front.most_j;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const auto dx = static_cast<float>(difference(cells.x(i)[slots[k].slot], centre.x));
+      const auto dy = static_cast<float>(difference(cells.y(i)[slots[k].slot], centre.y));
+      const float key = dx * pair.front.ux + dy * pair.front.uy;
+      most = std::max(most, is_first ? key : -key);
+    }
+  }
+}
+
+void CcvtPairs::forget(std::uint32_t i, const Pair* than) {
+  if (!keeps_account_) return;
+  for (std::uint32_t e = first_[i]; e < first_[i + 1]; ++e) {
+    Pair& pair = pairs_[of_site_[e]];
+    if (&pair == than) continue;
+    (pair.i == i ? pair.front.most_i : pair.front.most_j) = kUnknown;
+  }
+}
+
+std::vector<std::uint32_t> CcvtPairs::stale_sites(const CcvtCells& cells) {
+  const std::size_t n = cells.size();
+  const float slack = slack_of(n);
+  circles_.resize(n);
+  std::vector<std::uint32_t> stale;
+  float largest = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
     const Circle now = circle_of(cells.sites[i]);
-    const double moved = glm::length(wrapped(now.centre - circles_[i].centre));
-    if (moved + now.radius - circles_[i].radius > circles_[i].slack) return true;
+    const Circle& old = circles_[i];
+    const float grown = distance(now.centre, old.centre) + now.radius - old.radius;
+    if (old.radius < 0 || grown > slack || now.radius < old.radius - 3 * slack) {
+      stale.push_back(i);
+      circles_[i] = now;
+    }
+    largest = std::max(largest, circles_[i].radius);
   }
-  return false;
+  // A few wild circles would have every site look far and wide: find all pairs from their larger circles
+  // then.
+  if (stale.size() < n && (largest > 20 * slack || 2 * stale.size() > n)) {
+    if (stale.empty()) return stale;
+    stale.resize(n);
+    std::iota(stale.begin(), stale.end(), 0u);
+    for (std::uint32_t i = 0; i < n; ++i) circles_[i] = circle_of(cells.sites[i]);
+  }
+  return stale;
 }
 
-bool CcvtPairs::refresh(const CcvtCells& cells, std::uint32_t time) {
-  if (!is_stale(cells)) return false;
-  const double slack = 0.1 / std::sqrt(static_cast<double>(cells.size()));
-  circles_.resize(cells.size());
-  for (std::size_t i = 0; i < circles_.size(); ++i) {
-    circles_[i] = circle_of(cells.sites[i]);
-    circles_[i].slack = slack;
+void CcvtPairs::refresh(const CcvtCells& cells) {
+  const std::vector<std::uint32_t> stale = stale_sites(cells);
+  if (stale.empty()) return;
+  std::vector<std::uint8_t> is_stale(cells.size(), 0);
+  for (const std::uint32_t i : stale) is_stale[i] = 1;
+  std::size_t kept = 0;
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    if (is_stale[pairs_[p].i] || is_stale[pairs_[p].j]) continue;
+    pairs_[kept] = pairs_[p];
+    batch_[kept++] = batch_[p];
   }
-  find();
-  for (Pair& pair : pairs_) pair.checked = time;
-  batch_up();
-  return true;
+  pairs_.resize(kept);
+  batch_.resize(kept);
+  find(stale);
+  batch_up(kept);
 }
 
-void CcvtPairs::find() {
+void CcvtPairs::find(const std::vector<std::uint32_t>& stale) {
   struct Entry {
-    glm::dvec2 centre;
-    double reach;
+    TorusPoint centre;
+    float reach;
     std::uint32_t index;
   };
-  pairs_.clear();
   const std::size_t n = circles_.size();
-  const int side = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(n) / 2)));
-  const auto cell_of = [&](double v) { return std::min(side - 1, static_cast<int>(v * side)); };
+  const auto side = static_cast<std::uint32_t>(std::max(1.0, std::sqrt(static_cast<double>(n) / 2)));
+  const auto cell_of = [&](std::uint32_t v) {
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(v) * side >> 32);
+  };
   std::vector<std::uint32_t> start(static_cast<std::size_t>(side) * side + 1, 0), home(n);
+  const float slack = slack_of(n);
+  std::vector<std::uint8_t> is_stale(n, 0);
+  for (const std::uint32_t i : stale) is_stale[i] = 1;
+  float largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    home[i] =
-        static_cast<std::uint32_t>(cell_of(circles_[i].centre.y) * side + cell_of(circles_[i].centre.x));
+    home[i] = cell_of(circles_[i].centre.y) * side + cell_of(circles_[i].centre.x);
     ++start[home[i] + 1];
+    largest = std::max(largest, circles_[i].radius + slack);
   }
   for (std::size_t c = 0; c + 1 < start.size(); ++c) start[c + 1] += start[c];
   std::vector<Entry> entries(n);
   {
     std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
-    for (std::uint32_t i = 0; i < n; ++i) {
-      entries[at[home[i]]++] = {circles_[i].centre, circles_[i].radius + circles_[i].slack, i};
-    }
+    for (std::uint32_t i = 0; i < n; ++i)
+      entries[at[home[i]]++] = {circles_[i].centre, circles_[i].radius + slack, i};
   }
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const glm::dvec2 centre = circles_[i].centre;
-    const double reach = circles_[i].radius + circles_[i].slack;
-    const auto look = [&](int x, int y, glm::dvec2 shift, bool wrap) {
-      const std::size_t cell = static_cast<std::size_t>(y) * side + x;
+  const bool all = stale.size() == n;
+  for (const std::uint32_t i : stale) {
+    const TorusPoint centre = circles_[i].centre;
+    const float reach = circles_[i].radius + slack;
+    const auto look = [&](std::uint32_t column, std::uint32_t row) {
+      const std::size_t cell = static_cast<std::size_t>(row) * side + column;
       for (std::uint32_t e = start[cell]; e < start[cell + 1]; ++e) {
         const Entry& other = entries[e];
-        // A pair is found from its larger circle, so that twice the radius is as far as one has to look.
-        if (other.reach > reach || (other.reach == reach && other.index >= i)) continue;
-        glm::dvec2 d = other.centre - centre + shift;
-        if (wrap) d = wrapped(d);
-        if (glm::dot(d, d) < (reach + other.reach) * (reach + other.reach)) {
-          pairs_.push_back({std::min(i, other.index), std::max(i, other.index), 0});
-        }
+        const auto dx = static_cast<float>(difference(other.centre.x, centre.x));
+        const auto dy = static_cast<float>(difference(other.centre.y, centre.y));
+        const float sum = reach + other.reach;
+        if (dx * dx + dy * dy >= sum * sum) continue;
+        // Of two stale ones the larger circle finds the pair: twice its radius is as far as one has to look.
+        if ((other.reach > reach || (other.reach == reach && other.index >= i)) && is_stale[other.index])
+          continue;
+        Pair pair{std::min(i, other.index), std::max(i, other.index)};
+        pair.front.most_i = pair.front.most_j = kUnknown;
+        pairs_.push_back(pair);
       }
     };
-    const int x = static_cast<int>(home[i]) % side, y = static_cast<int>(home[i]) / side;
-    const int rings = static_cast<int>(std::min<double>(2 * reach * side + 1, side));
-    if (2 * rings + 1 >= side) {  // all around the torus: every cell once
-      for (int row = 0; row < side; ++row) {
-        for (int column = 0; column < side; ++column) look(column, row, glm::dvec2(0), true);
+    const std::uint32_t x = home[i] % side, y = home[i] / side;
+    const double far = (all ? 2 * reach : reach + largest) * 0x1p-32 * side + 1;
+    if (2 * far + 1 >= side) {  // all around the torus: every cell once
+      for (std::uint32_t row = 0; row < side; ++row) {
+        for (std::uint32_t column = 0; column < side; ++column) look(column, row);
       }
       continue;
     }
-    for (int row = y - rings; row <= y + rings; ++row) {
-      const int around_y = row < 0 ? -1 : row >= side ? 1 : 0;
-      for (int column = x - rings; column <= x + rings; ++column) {
-        const int around_x = column < 0 ? -1 : column >= side ? 1 : 0;
-        look(column - around_x * side, row - around_y * side, {around_x, around_y}, false);
+    const auto rings = static_cast<std::uint32_t>(far);
+    for (std::uint32_t v = 0; v <= 2 * rings; ++v) {
+      const std::uint32_t row = (y + side - rings + v) % side;
+      for (std::uint32_t u = 0, column = (x + side - rings) % side; u <= 2 * rings; ++u) {
+        look(column, row);
+        if (++column == side) column = 0;
       }
     }
   }
 }
 
-void CcvtPairs::batch_up() {
-  // Each pair takes the first batch in which neither site is busy. Sites with more than 63 pairs (only in a
-  // wild start) share the last batches, one pair each.
-  std::vector<std::uint64_t> busy(circles_.size(), 0);
-  std::vector<std::uint32_t> batch(pairs_.size());
-  std::vector<std::size_t> count;
-  std::uint32_t next = 64;
+void CcvtPairs::batch_up(std::size_t known) {
+  // Each new pair takes the first batch in which neither site is busy. Sites with more pairs than there are
+  // masks (only in a wild start) share the last batches, one pair each.
+  const std::size_t n = circles_.size();
+  std::vector<std::uint64_t> busy(n, 0);
+  for (std::size_t p = 0; p < known; ++p) {
+    if (batch_[p] >= kMasks) continue;
+    busy[pairs_[p].i] |= 1ull << batch_[p];
+    busy[pairs_[p].j] |= 1ull << batch_[p];
+  }
+  batch_.resize(pairs_.size());
+  std::vector<std::size_t> count(kMasks + 1, 0);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    const std::uint64_t taken = busy[pairs_[p].i] | busy[pairs_[p].j];
-    batch[p] = static_cast<std::uint32_t>(std::countr_one(taken));
-    if (batch[p] < 64) {
-      busy[pairs_[p].i] |= 1ull << batch[p];
-      busy[pairs_[p].j] |= 1ull << batch[p];
-    } else {
-      batch[p] = next++;
+    if (p >= known || batch_[p] == kMasks) {
+      batch_[p] = static_cast<std::uint8_t>(std::countr_one(busy[pairs_[p].i] | busy[pairs_[p].j]));
+      if (batch_[p] < kMasks) {
+        busy[pairs_[p].i] |= 1ull << batch_[p];
+        busy[pairs_[p].j] |= 1ull << batch_[p];
+      }
     }
-    if (batch[p] >= count.size()) count.resize(batch[p] + 1, 0);
-    ++count[batch[p]];
+    ++count[batch_[p]];
   }
   start_.assign(1, 0);
-  for (const std::size_t c : count) start_.push_back(start_.back() + c);
+  for (std::uint32_t b = 0; b < kMasks; ++b) {
+    if (count[b] > 0) start_.push_back(start_.back() + count[b]);
+  }
+  std::vector<std::size_t> at(kMasks + 1, 0);
+  for (std::uint32_t b = 0; b < kMasks; ++b) at[b + 1] = at[b] + count[b];
+  for (std::size_t p = 0; p < count[kMasks]; ++p) start_.push_back(start_.back() + 1);
   std::vector<Pair> sorted(pairs_.size());
-  std::vector<std::size_t> at(start_.begin(), start_.end() - 1);
-  for (std::size_t p = 0; p < pairs_.size(); ++p) sorted[at[batch[p]]++] = pairs_[p];
+  std::vector<std::uint8_t> sorted_batch(pairs_.size());
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    sorted_batch[at[batch_[p]]] = batch_[p];
+    sorted[at[batch_[p]]++] = pairs_[p];
+  }
   pairs_.swap(sorted);
+  batch_.swap(sorted_batch);
+  if (!keeps_account_) return;
+  first_.assign(n + 1, 0);
+  for (const Pair& pair : pairs_) ++first_[pair.i + 1], ++first_[pair.j + 1];
+  for (std::size_t i = 0; i < n; ++i) first_[i + 1] += first_[i];
+  of_site_.resize(2 * pairs_.size());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
+    of_site_[next[pairs_[p].i]++] = p;
+    of_site_[next[pairs_[p].j]++] = p;
+  }
 }
 
 }  // namespace capcon

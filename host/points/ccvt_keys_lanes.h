@@ -1,0 +1,52 @@
+// The loops of ccvt_keys.h for kLanes floats at once, included once for each width: in a namespace of its
+// own, under the target that has such vectors (GCC splits vectors before it inlines, so that a template would
+// be split for the plain target).
+
+using Floats __attribute__((vector_size(4 * kLanes))) = float;
+using Words __attribute__((vector_size(4 * kLanes))) = std::int32_t;
+using Unsigned __attribute__((vector_size(4 * kLanes))) = std::uint32_t;
+
+float project(const std::uint32_t* x, const std::uint32_t* y, std::uint32_t begin, std::uint32_t end,
+              TorusPoint centre, float ux, float uy, float* keys, float largest) {
+  Floats best = Floats{} + largest;
+  std::uint32_t k = begin;
+  for (; k + kLanes <= end; k += kLanes) {
+    Unsigned px, py;
+    std::memcpy(&px, x + k, sizeof px);
+    std::memcpy(&py, y + k, sizeof py);
+    const Words dx = (Words)(px - centre.x), dy = (Words)(py - centre.y);
+    const Floats key = __builtin_convertvector(dx, Floats) * ux + __builtin_convertvector(dy, Floats) * uy;
+    std::memcpy(keys + k, &key, sizeof key);
+    best = key > best ? key : best;
+  }
+  for (; k < end; ++k) {
+    keys[k] = static_cast<float>(difference(x[k], centre.x)) * ux +
+              static_cast<float>(difference(y[k], centre.y)) * uy;
+    largest = std::max(largest, keys[k]);
+  }
+  for (int lane = 0; lane < kLanes; ++lane) largest = std::max(largest, best[lane]);
+  return largest;
+}
+
+std::uint32_t select(const float* keys, std::uint32_t count, float limit, CcvtCandidate* into) {
+  std::uint32_t found = 0, k = 0;
+  for (; k + 2 * kLanes <= count;
+       k += 2 * kLanes) {  // nearly all keys are below: pass over them, many at a time
+    Floats low, high;
+    std::memcpy(&low, keys + k, sizeof low);
+    std::memcpy(&high, keys + k + kLanes, sizeof high);
+    const Words above = (low > limit) | (high > limit);
+    std::uint64_t words[kLanes / 2], any = 0;
+    std::memcpy(words, &above, sizeof words);
+    for (int w = 0; w < kLanes / 2; ++w) any |= words[w];
+    if (any == 0) continue;
+    for (std::uint32_t q = k; q < k + 2 * kLanes; ++q) {  // without a branch
+      into[found] = {keys[q], q};
+      found += keys[q] > limit;
+    }
+  }
+  for (; k < count; ++k) {
+    if (keys[k] > limit) into[found++] = {keys[k], k};
+  }
+  return found;
+}
