@@ -33,6 +33,8 @@ struct Only {
   std::vector<std::string> methods;
 };
 const Only kOnly[] = {{"--capacity", {"ccvt"}},
+                      {"--finish", {"ccvt"}},
+                      {"--time-limit", {"ccvt"}},
                       {"--strategy", {"fpo"}},
                       {"--rounds", {"lloyd"}},
                       {"--kind", {"lattice"}},
@@ -82,6 +84,19 @@ void add_points_options(CLI::App& verb, PointsOptions& options) {
       ->check(whole(1, std::numeric_limits<std::uint32_t>::max()))
       ->type_name("K")
       ->capture_default_str();
+  verb.add_option(
+          "--finish", options.finish,
+          "none: ends when a pass over all pairs of sites exchanges nothing (ccvt). transport: goes on from "
+          "capacity 64 with power cells of exactly equal area, each site to the centroid of its own, until "
+          "20 rounds lower the energy by less than 0.01 %; faster and more even than any capacity")
+      ->check(CLI::IsMember({"none", "transport"}))
+      ->capture_default_str();
+  verb.add_option(
+          "--time-limit", options.time_limit,
+          "end after this many seconds, at the next pass, with what there is: capacities hold, at a lower "
+          "capacity if need be (ccvt)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
   verb.add_option(
           "--density", options.density,
           "an image (.exr, .png: its luminance, top row at y = 0) or a formula of x and y: + - * / ^ ( ) sin "

@@ -17,6 +17,8 @@ struct PointsOptions {
   std::string domain = "torus";
   std::string strategy = "global";
   std::string kind = "maximin";
+  std::string finish = "none";
+  double time_limit = 0;  ///< seconds for all sets together; 0 for none
   std::uint32_t count = 1;
   std::string output;
   bool json = false;

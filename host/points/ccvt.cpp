@@ -6,15 +6,20 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <numeric>
+#include <utility>
 
 #include "base/error.h"
 #include "points/ccvt_optimise.h"
 #include "points/ccvt_start.h"
 #include "points/measure.h"
+#include "points/transport_finish.h"
 
 namespace capcon {
 
 namespace {
+
+constexpr std::uint32_t kBeforeFinish = 64;  // capacity from which the finish starts best
+constexpr double kSwapShare = 0.2;           // of the time, when there is a finish
 
 void check(const CcvtOptions& options) {
   if (options.sites == 0) throw InputError("a point set needs at least one point (n >= 1)");
@@ -56,7 +61,8 @@ class Estimate {
     const double left = std::log2(1.0 + static_cast<double>(swaps));
     if (first_ == 0) first_ = left;
     if (first_ > 0) inner_ = std::max(inner_, 1 - left / first_);
-    if (options_.on_progress) options_.on_progress(before_ + share_ * inner_);
+    if (options_.on_progress)
+      options_.on_progress((options_.finish ? kSwapShare : 1) * (before_ + share_ * inner_));
   }
 
  private:
@@ -68,25 +74,46 @@ class Estimate {
 
 CcvtResult ccvt(const CcvtOptions& options) {
   check(options);
-  const std::vector<std::uint32_t> capacities = capacities_up_to(options.capacity);
+  const std::vector<std::uint32_t> capacities =
+      capacities_up_to(options.finish ? std::min(options.capacity, kBeforeFinish) : options.capacity);
   Estimate estimate(capacities, options);
   CcvtResult result;
   CcvtState state = random_cells(options.sites, capacities.front(), options.seed);
   for (const std::uint32_t capacity : capacities) {
-    const bool last = capacity == options.capacity;
+    const bool last = capacity == capacities.back();
     if (capacity != capacities.front()) state = refined_cells(state, capacity, options.seed);
     estimate.next_capacity(capacity);
     // A coarse capacity is but a start for the next: few exchanges a site are near enough to its end.
     const std::uint64_t enough = last ? 1 : 1 + state.cells.size() * capacity / 1024;
-    const CcvtEffort effort = optimise(state.cells, enough, [&](std::uint64_t swaps) {
-      if (last && options.on_pass) options.on_pass(state.cells.energy() / kHexagonEnergy, swaps);
-      estimate.pass(swaps);
-    });
+    const CcvtEffort effort = optimise(
+        state.cells, enough,
+        [&](std::uint64_t swaps) {
+          if (last && options.on_pass) options.on_pass(state.cells.energy() / kHexagonEnergy, swaps);
+          estimate.pass(swaps);
+        },
+        options.stop);
     result.passes += effort.passes;
     result.swaps += effort.swaps;
+    result.capacity = capacity;
+    result.stopped = effort.stopped || (!last && options.stop && options.stop());
+    if (result.stopped) break;
   }
   result.energy = state.cells.energy() / kHexagonEnergy;
   for (const CcvtSite& site : state.cells.sites) result.points.push_back(place_of(site));
+  if (options.finish && !result.stopped) {
+    FinishOptions finish;
+    finish.stop = [&](int round, double) {
+      if (options.on_progress)
+        options.on_progress(kSwapShare + (1 - kSwapShare) * std::min(1.0, round / 150.0));
+      return options.stop && options.stop();
+    };
+    FinishResult finished = transport_finish(result.points, finish);
+    result.points = std::move(finished.points);
+    result.energy = finished.energy;
+    result.stopped = finished.stopped;
+    result.rounds = finished.rounds;
+    if (options.on_progress) options.on_progress(1);
+  }
   return result;
 }
 

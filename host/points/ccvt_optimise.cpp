@@ -38,8 +38,8 @@ std::uint32_t work_on(CcvtCells& cells, CcvtPairs& pairs, CcvtPairs::Pair& pair,
 
 }  // namespace
 
-CcvtEffort optimise(CcvtCells& cells, std::uint64_t enough,
-                    const std::function<void(std::uint64_t)>& on_pass) {
+CcvtEffort optimise(CcvtCells& cells, std::uint64_t enough, const std::function<void(std::uint64_t)>& on_pass,
+                    const std::function<bool()>& stop) {
   CcvtPairs pairs(cells.capacity() >= kLarge);
   CcvtEffort effort;
   CcvtScratch scratch;
@@ -64,6 +64,10 @@ CcvtEffort optimise(CcvtCells& cells, std::uint64_t enough,
     effort.swaps += swaps;
     if (on_pass) on_pass(swaps);
     if (swaps < enough) return effort;
+    if (stop && stop()) {
+      effort.stopped = true;
+      return effort;
+    }
   }
 }
 

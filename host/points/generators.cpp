@@ -116,6 +116,8 @@ const Method kMethods[] = {
        ccvt_options.capacity = o.capacity;
        ccvt_options.seed = o.seed;
        ccvt_options.on_progress = o.on_progress;
+       ccvt_options.stop = o.stop;
+       ccvt_options.finish = o.finish;
        return o.region.is_plain_torus() ? ccvt(ccvt_options).points : region_ccvt(o.region, ccvt_options);
      },
      true},

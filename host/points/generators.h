@@ -24,8 +24,10 @@ struct GeneratorOptions {
   FpoOptions::Strategy strategy = FpoOptions::Strategy::kGlobal;  ///< fpo only
   std::uint32_t rounds = 300;                                     ///< lloyd only
   LatticeKind kind = LatticeKind::kMaximin;                       ///< lattice only
-  bool shift = false;  ///< lattice only: moved by a random vector, which the seed gives
-  Region region = {};  ///< ccvt, lloyd, random and jittered only
+  bool shift = false;               ///< lattice only: moved by a random vector, which the seed gives
+  bool finish = false;              ///< ccvt only, on the plain torus: power cells of equal area
+  std::function<bool()> stop = {};  ///< ccvt only: whether to end now, with what there is
+  Region region = {};               ///< ccvt, lloyd, random and jittered only
 };
 
 /// n points of the named method. InputError for an unknown name (with the names there are) or n = 0, and

@@ -89,13 +89,17 @@ class RegionOptimiser {
       const bool last = capacity == options_.capacity;
       if (capacity != capacities.front()) cells = refined(cells, capacity);
       double first = 0, part = 0;
-      optimise(cells, last ? 1 : 1 + cells.size() * capacity / 1024, [&](std::uint64_t swaps) {
-        if (last && options_.on_pass) options_.on_pass(cells.energy() / kHexagonEnergy, swaps);
-        const double left = std::log2(1.0 + static_cast<double>(swaps));
-        if (first == 0) first = left;
-        if (first > 0) part = std::max(part, 1 - left / first);
-        if (options_.on_progress) options_.on_progress((done + part * capacity) / total);
-      });
+      const CcvtEffort effort = optimise(
+          cells, last ? 1 : 1 + cells.size() * capacity / 1024,
+          [&](std::uint64_t swaps) {
+            if (last && options_.on_pass) options_.on_pass(cells.energy() / kHexagonEnergy, swaps);
+            const double left = std::log2(1.0 + static_cast<double>(swaps));
+            if (first == 0) first = left;
+            if (first > 0) part = std::max(part, 1 - left / first);
+            if (options_.on_progress) options_.on_progress((done + part * capacity) / total);
+          },
+          options_.stop);
+      if (effort.stopped) break;
       done += capacity;
     }
     return cells;
