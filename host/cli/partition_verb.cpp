@@ -25,7 +25,7 @@ void run(const Options& o) {
     throw InputError(fmt::format("{}: holds {} sets; give a file with one", o.input, sets.size()));
   const auto subsets = split(sets[0], partition(sets[0], o.partition), o.partition.subsets);
   if (!o.output.empty()) write_points(o.output, subsets);
-  nlohmann::json measures = nlohmann::json::array();
+  nlohmann::ordered_json measures = nlohmann::ordered_json::array();
   double sum = 0, worst = 1e300;
   for (const Points& subset : subsets) {
     const Measures m = measure(subset);
@@ -35,7 +35,7 @@ void run(const Options& o) {
   }
   const double mean = sum / static_cast<double>(subsets.size());
   if (o.json) {
-    fmt::print("{}\n", nlohmann::json{{"input", o.input},
+    fmt::print("{}\n", nlohmann::ordered_json{{"input", o.input},
                                       {"n", sets[0].size()},
                                       {"subsets", o.partition.subsets},
                                       {"seed", o.partition.seed},
