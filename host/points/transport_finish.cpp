@@ -17,6 +17,7 @@ namespace capcon {
 
 namespace {
 
+constexpr std::uint64_t kPart = 0x70617274;  // stream of random numbers
 constexpr std::size_t kMemory = 8;
 constexpr double kLeastArea = 0.2;  // of a cell in a step, as part of its share
 
@@ -71,16 +72,21 @@ glm::dvec2 wrapped(glm::dvec2 p) {
   return {p.x < 1 ? p.x : 0, p.y < 1 ? p.y : 0};
 }
 
-/// Points apart from each other: those in one place are strewn over a hundredth of the mean spacing.
+/// Points apart from each other: m in places already taken are strewn over an area that m points may have.
 Points parted(const Points& points) {
-  Points result = points;
-  const double width = 0.01 / std::sqrt(static_cast<double>(points.size()));
+  if (points.size() < 2) return points;
+  const double n = static_cast<double>(points.size());
   const PeriodicVoronoi diagram(points);
   PeriodicVoronoi::Scratch scratch;
+  std::vector<std::size_t> taken;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points.size() < 2 || diagram.cut(i, scratch) > 1e-8 * width * width) continue;
-    result[i] = wrapped(
-        points[i] + width * (glm::dvec2(uniform64(1, 0x7061, 2 * i), uniform64(1, 0x7061, 2 * i + 1)) - 0.5));
+    if (diagram.cut(i, scratch) < 1e-12 / n) taken.push_back(i);
+  }
+  Points result = points;
+  const double width = std::sqrt(static_cast<double>(taken.size()) / n);
+  for (const std::size_t i : taken) {
+    const glm::dvec2 random(uniform64(1, kPart, 2 * i), uniform64(1, kPart, 2 * i + 1));
+    result[i] = wrapped(points[i] + width * (random - 0.5));
   }
   return result;
 }
