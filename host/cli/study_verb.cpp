@@ -28,7 +28,7 @@ extern "C" void request_stop(int signal) {
 }
 
 constexpr double kCourtyardRadius = 2;    // metres
-constexpr double kDefaultPixels = 10240;  // a study of all samplers in two minutes on two cores
+constexpr double kDefaultPixels = 6000;  // a study of all samplers in two minutes on two cores
 
 struct Options {
   StudySettings settings;

@@ -10,7 +10,7 @@ namespace capcon {
 namespace {
 
 constexpr double kPicturePixels = 144e3;
-constexpr std::uint32_t kPictureSamples = 256;
+constexpr std::uint32_t kPictureSamples = 128;
 constexpr double kRegionPart = 0.22;  // of the picture's width
 
 Image difference(const Image& a, const Image& b) {
