@@ -1,7 +1,11 @@
 #include "points/ccvt_keys.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
 
 #include "points/ccvt_cells.h"
 
@@ -9,6 +13,11 @@ namespace capcon {
 
 namespace plain {
 constexpr int kLanes = 4;
+inline std::uint32_t above(const float* keys, float limit) {
+  std::uint32_t bits = 0;
+  for (int lane = 0; lane < kLanes; ++lane) bits |= static_cast<std::uint32_t>(keys[lane] > limit) << lane;
+  return bits;
+}
 #include "points/ccvt_keys_lanes.h"
 }  // namespace plain
 
@@ -17,6 +26,10 @@ constexpr int kLanes = 4;
 #pragma GCC target("avx2")
 namespace avx2 {
 constexpr int kLanes = 8;
+inline std::uint32_t above(const float* keys, float limit) {
+  return static_cast<std::uint32_t>(
+      _mm256_movemask_ps(_mm256_cmp_ps(_mm256_loadu_ps(keys), _mm256_set1_ps(limit), _CMP_GT_OQ)));
+}
 #include "points/ccvt_keys_lanes.h"
 }  // namespace avx2
 #pragma GCC pop_options
@@ -24,6 +37,9 @@ constexpr int kLanes = 8;
 #pragma GCC target("avx512f,avx512dq,avx512bw,avx512vl,prefer-vector-width=512")
 namespace avx512 {
 constexpr int kLanes = 16;
+inline std::uint32_t above(const float* keys, float limit) {
+  return _mm512_cmp_ps_mask(_mm512_loadu_ps(keys), _mm512_set1_ps(limit), _CMP_GT_OQ);
+}
 #include "points/ccvt_keys_lanes.h"
 }  // namespace avx512
 #pragma GCC pop_options

@@ -30,19 +30,10 @@ float project(const std::uint32_t* x, const std::uint32_t* y, std::uint32_t begi
 
 std::uint32_t select(const float* keys, std::uint32_t count, float limit, CcvtCandidate* into) {
   std::uint32_t found = 0, k = 0;
-  for (; k + 2 * kLanes <= count;
-       k += 2 * kLanes) {  // nearly all keys are below: pass over them, many at a time
-    Floats low, high;
-    std::memcpy(&low, keys + k, sizeof low);
-    std::memcpy(&high, keys + k + kLanes, sizeof high);
-    const Words above = (low > limit) | (high > limit);
-    std::uint64_t words[kLanes / 2], any = 0;
-    std::memcpy(words, &above, sizeof words);
-    for (int w = 0; w < kLanes / 2; ++w) any |= words[w];
-    if (any == 0) continue;
-    for (std::uint32_t q = k; q < k + 2 * kLanes; ++q) {  // without a branch
-      into[found] = {keys[q], q};
-      found += keys[q] > limit;
+  for (; k + kLanes <= count; k += kLanes) {
+    for (std::uint32_t bits = above(keys + k, limit); bits != 0; bits &= bits - 1) {
+      const std::uint32_t slot = k + static_cast<std::uint32_t>(std::countr_zero(bits));
+      into[found++] = {keys[slot], slot};
     }
   }
   for (; k < count; ++k) {

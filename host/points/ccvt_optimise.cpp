@@ -1,6 +1,7 @@
 #include "points/ccvt_optimise.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "points/ccvt_exchange.h"
@@ -12,8 +13,8 @@ namespace {
 
 /// Above so many arrivals a look at the points is cheaper than to keep account of them.
 constexpr std::uint32_t kFew = 8;
-constexpr std::uint32_t kLarge = 128;  // capacity from which it is worth it
-constexpr std::size_t kTask = 512;     // pairs a task; a smaller batch is not worth a thread
+constexpr int kSweeps = 2;             // over the pairs of a block in one pass
+constexpr double kWorthThreads = 4e5;  // nanoseconds of a phase from which threads are worth starting
 
 /// Works on one pair and tells the others of both sites. Returns the number of points exchanged.
 std::uint32_t work_on(CcvtCells& cells, CcvtPairs& pairs, CcvtPairs::Pair& pair, CcvtScratch& scratch) {
@@ -40,26 +41,41 @@ std::uint32_t work_on(CcvtCells& cells, CcvtPairs& pairs, CcvtPairs::Pair& pair,
 
 CcvtEffort optimise(CcvtCells& cells, std::uint64_t enough, const std::function<void(std::uint64_t)>& on_pass,
                     const std::function<bool()>& stop) {
-  CcvtPairs pairs(cells.capacity() >= kLarge);
+  CcvtPairs pairs(cells.capacity());
   CcvtEffort effort;
   CcvtScratch scratch;
+  double exchanges_a_pair = 1;  // in the last pass
   for (;;) {
     pairs.refresh(cells);
+    // About 8 ns a pair, and three looks at the points of two cells for each exchange: a guess, for the time
+    // only.
+    const double pair_cost = 8 + 2.0 * cells.capacity() * exchanges_a_pair;
     std::uint64_t swaps = 0;
-    for (std::size_t batch = 0; batch < pairs.batches(); ++batch) {
-      const std::size_t size = pairs.batch_size(batch);
-      if (size < 2 * kTask) {
-        for (std::size_t k = 0; k < size; ++k) swaps += work_on(cells, pairs, pairs.pair(batch, k), scratch);
-        continue;
+    for (std::size_t phase = 0; phase < pairs.phases(); ++phase) {
+      const std::size_t first = pairs.first_task(phase), tasks = pairs.first_task(phase + 1) - first;
+      std::vector<std::uint64_t> counts(tasks, 0);
+      const auto work = [&](std::size_t task, CcvtScratch& own) {
+        // Again while the block is in the cache: what is left to gain there costs less now than in the next
+        // pass.
+        for (int sweep = 0; sweep < (phase == 0 ? kSweeps : 1); ++sweep) {
+          const std::uint64_t before = counts[task];
+          for (CcvtPairs::Pair& pair : pairs.task(first + task))
+            counts[task] += work_on(cells, pairs, pair, own);
+          if (counts[task] == before) break;
+        }
+      };
+      if (static_cast<double>(pairs.size(phase)) * pair_cost < kWorthThreads) {
+        for (std::size_t task = 0; task < tasks; ++task) work(task, scratch);
+      } else {
+        parallel_for(tasks, [&](std::size_t task) {
+          CcvtScratch own;
+          work(task, own);
+        });
       }
-      std::vector<std::uint64_t> counts((size + kTask - 1) / kTask, 0);
-      parallel_for(counts.size(), [&](std::size_t task) {
-        CcvtScratch own;
-        for (std::size_t k = task * kTask; k < std::min(size, (task + 1) * kTask); ++k)
-          counts[task] += work_on(cells, pairs, pairs.pair(batch, k), own);
-      });
-      for (const std::uint64_t count : counts) swaps += count;
+      swaps = std::accumulate(counts.begin(), counts.end(), swaps);
     }
+    exchanges_a_pair =
+        static_cast<double>(swaps) / static_cast<double>(std::max<std::size_t>(1, pairs.size()));
     ++effort.passes;
     effort.swaps += swaps;
     if (on_pass) on_pass(swaps);

@@ -1,7 +1,6 @@
 #include "points/ccvt_pairs.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -10,8 +9,11 @@ namespace capcon {
 
 namespace {
 
+constexpr std::uint32_t kLarge = 128;  // capacity from which to keep account
+// Blocks of sites whose space points fit into a cache, and do not consist of borders alone.
+constexpr std::uint32_t kBlockPoints = 1u << 16, kLeastBlock = 128;
+constexpr float kWide = 10;  // slacks; radii are near 7 in the end
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
-constexpr std::uint32_t kMasks = 64;  // batches that a site's pairs are told apart by
 
 /// How far a circle may move and grow before its pairs are found anew.
 float slack_of(std::size_t n) {
@@ -24,6 +26,9 @@ float distance(TorusPoint a, TorusPoint b) {
 }
 
 }  // namespace
+
+CcvtPairs::CcvtPairs(std::uint32_t capacity)
+    : keeps_account_(capacity >= kLarge), block_(std::max(kLeastBlock, kBlockPoints / capacity)) {}
 
 CcvtPairs::Circle CcvtPairs::circle_of(const CcvtSite& site) {
   const auto x = static_cast<std::int64_t>(site.x), y = static_cast<std::int64_t>(site.y);
@@ -80,8 +85,7 @@ std::vector<std::uint32_t> CcvtPairs::stale_sites(const CcvtCells& cells) {
   const std::size_t n = cells.size();
   const float slack = slack_of(n);
   circles_.resize(n);
-  std::vector<std::uint32_t> stale;
-  float largest = 0;
+  std::vector<std::uint32_t> stale, wide;
   for (std::uint32_t i = 0; i < n; ++i) {
     const Circle now = circle_of(cells.sites[i]);
     const Circle& old = circles_[i];
@@ -89,17 +93,14 @@ std::vector<std::uint32_t> CcvtPairs::stale_sites(const CcvtCells& cells) {
     if (old.radius < 0 || grown > slack || now.radius < old.radius - 3 * slack) {
       stale.push_back(i);
       circles_[i] = now;
+    } else if (old.radius > kWide * slack) {
+      wide.push_back(i);
     }
-    largest = std::max(largest, circles_[i].radius);
   }
-  // A few wild circles would have every site look far and wide: find all pairs from their larger circles
-  // then.
-  if (stale.size() < n && (largest > 20 * slack || 2 * stale.size() > n)) {
-    if (stale.empty()) return stale;
-    stale.resize(n);
-    std::iota(stale.begin(), stale.end(), 0u);
-    for (std::uint32_t i = 0; i < n; ++i) circles_[i] = circle_of(cells.sites[i]);
-  }
+  if (stale.empty()) return stale;
+  // Wide circles always look for their pairs themselves: so no other has to look that far.
+  stale.insert(stale.end(), wide.begin(), wide.end());
+  std::sort(stale.begin(), stale.end());
   return stale;
 }
 
@@ -111,13 +112,11 @@ void CcvtPairs::refresh(const CcvtCells& cells) {
   std::size_t kept = 0;
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     if (is_stale[pairs_[p].i] || is_stale[pairs_[p].j]) continue;
-    pairs_[kept] = pairs_[p];
-    batch_[kept++] = batch_[p];
+    pairs_[kept++] = pairs_[p];
   }
   pairs_.resize(kept);
-  batch_.resize(kept);
   find(stale);
-  batch_up(kept);
+  share_out();
 }
 
 void CcvtPairs::find(const std::vector<std::uint32_t>& stale) {
@@ -135,11 +134,9 @@ void CcvtPairs::find(const std::vector<std::uint32_t>& stale) {
   const float slack = slack_of(n);
   std::vector<std::uint8_t> is_stale(n, 0);
   for (const std::uint32_t i : stale) is_stale[i] = 1;
-  float largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
     home[i] = cell_of(circles_[i].centre.y) * side + cell_of(circles_[i].centre.x);
     ++start[home[i] + 1];
-    largest = std::max(largest, circles_[i].radius + slack);
   }
   for (std::size_t c = 0; c + 1 < start.size(); ++c) start[c + 1] += start[c];
   std::vector<Entry> entries(n);
@@ -148,7 +145,6 @@ void CcvtPairs::find(const std::vector<std::uint32_t>& stale) {
     for (std::uint32_t i = 0; i < n; ++i)
       entries[at[home[i]]++] = {circles_[i].centre, circles_[i].radius + slack, i};
   }
-  const bool all = stale.size() == n;
   for (const std::uint32_t i : stale) {
     const TorusPoint centre = circles_[i].centre;
     const float reach = circles_[i].radius + slack;
@@ -169,7 +165,7 @@ void CcvtPairs::find(const std::vector<std::uint32_t>& stale) {
       }
     };
     const std::uint32_t x = home[i] % side, y = home[i] / side;
-    const double far = (all ? 2 * reach : reach + largest) * 0x1p-32 * side + 1;
+    const double far = (reach + std::max(reach, (kWide + 1) * slack)) * 0x1p-32 * side + 1;
     if (2 * far + 1 >= side) {  // all around the torus: every cell once
       for (std::uint32_t row = 0; row < side; ++row) {
         for (std::uint32_t column = 0; column < side; ++column) look(column, row);
@@ -187,44 +183,70 @@ void CcvtPairs::find(const std::vector<std::uint32_t>& stale) {
   }
 }
 
-void CcvtPairs::batch_up(std::size_t known) {
-  // Each new pair takes the first batch in which neither site is busy. Sites with more pairs than there are
-  // masks (only in a wild start) share the last batches, one pair each.
+void CcvtPairs::share_out() {
+  // Sites near each other in the order are near each other in space: blocks of them, and the pairs of blocks.
+  struct Group {
+    std::uint32_t block, other;
+    std::size_t count = 0;
+    std::uint32_t phase = 0;
+  };
   const std::size_t n = circles_.size();
-  std::vector<std::uint64_t> busy(n, 0);
-  for (std::size_t p = 0; p < known; ++p) {
-    if (batch_[p] >= kMasks) continue;
-    busy[pairs_[p].i] |= 1ull << batch_[p];
-    busy[pairs_[p].j] |= 1ull << batch_[p];
-  }
-  batch_.resize(pairs_.size());
-  std::vector<std::size_t> count(kMasks + 1, 0);
+  std::vector<Group> groups;
+  std::vector<std::vector<std::uint32_t>> of_block(n / block_ + 1);  // groups with it as their first
+  std::vector<std::uint32_t> group_of(pairs_.size());
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    if (p >= known || batch_[p] == kMasks) {
-      batch_[p] = static_cast<std::uint8_t>(std::countr_one(busy[pairs_[p].i] | busy[pairs_[p].j]));
-      if (batch_[p] < kMasks) {
-        busy[pairs_[p].i] |= 1ull << batch_[p];
-        busy[pairs_[p].j] |= 1ull << batch_[p];
-      }
+    const auto block = static_cast<std::uint32_t>(pairs_[p].i / block_);
+    const auto other = static_cast<std::uint32_t>(pairs_[p].j / block_);
+    auto& list = of_block[block];
+    auto at =
+        std::find_if(list.begin(), list.end(), [&](std::uint32_t g) { return groups[g].other == other; });
+    if (at == list.end()) {
+      at = list.insert(list.end(), static_cast<std::uint32_t>(groups.size()));
+      groups.push_back({block, other});
     }
-    ++count[batch_[p]];
+    group_of[p] = *at;
+    ++groups[*at].count;
   }
-  start_.assign(1, 0);
-  for (std::uint32_t b = 0; b < kMasks; ++b) {
-    if (count[b] > 0) start_.push_back(start_.back() + count[b]);
+  // Each group takes the first phase in which neither block is busy.
+  std::vector<std::vector<bool>> busy(of_block.size());
+  std::uint32_t phases = 0;
+  const auto is_busy = [&](std::uint32_t block, std::uint32_t phase) {
+    return phase < busy[block].size() && busy[block][phase];
+  };
+  const auto occupy = [&](std::uint32_t block, std::uint32_t phase) {
+    if (phase >= busy[block].size()) busy[block].resize(phase + 1, false);
+    busy[block][phase] = true;
+  };
+  for (const bool inner : {true, false}) {  // all blocks' own pairs share the first phase
+    for (Group& group : groups) {
+      if ((group.block == group.other) != inner) continue;
+      while (is_busy(group.block, group.phase) || is_busy(group.other, group.phase)) ++group.phase;
+      occupy(group.block, group.phase);
+      occupy(group.other, group.phase);
+      phases = std::max(phases, group.phase + 1);
+    }
   }
-  std::vector<std::size_t> at(kMasks + 1, 0);
-  for (std::uint32_t b = 0; b < kMasks; ++b) at[b + 1] = at[b] + count[b];
-  for (std::size_t p = 0; p < count[kMasks]; ++p) start_.push_back(start_.back() + 1);
+  std::vector<std::uint32_t> order(groups.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return groups[a].phase < groups[b].phase; });
+  tasks_.assign(1, 0);
+  phases_.assign(phases + 1, 0);
+  std::vector<std::size_t> at(groups.size());
+  for (const std::uint32_t g : order) {
+    at[g] = tasks_.back();
+    tasks_.push_back(tasks_.back() + groups[g].count);
+    ++phases_[groups[g].phase + 1];
+  }
+  for (std::uint32_t phase = 0; phase < phases; ++phase) phases_[phase + 1] += phases_[phase];
   std::vector<Pair> sorted(pairs_.size());
-  std::vector<std::uint8_t> sorted_batch(pairs_.size());
-  for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    sorted_batch[at[batch_[p]]] = batch_[p];
-    sorted[at[batch_[p]]++] = pairs_[p];
-  }
+  for (std::size_t p = 0; p < pairs_.size(); ++p) sorted[at[group_of[p]]++] = pairs_[p];
   pairs_.swap(sorted);
-  batch_.swap(sorted_batch);
-  if (!keeps_account_) return;
+  if (keeps_account_) list_by_site();
+}
+
+void CcvtPairs::list_by_site() {
+  const std::size_t n = circles_.size();
   first_.assign(n + 1, 0);
   for (const Pair& pair : pairs_) ++first_[pair.i + 1], ++first_[pair.j + 1];
   for (std::size_t i = 0; i < n; ++i) first_[i + 1] += first_[i];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "points/ccvt_cells.h"
@@ -8,8 +9,9 @@
 
 namespace capcon {
 
-/// The pairs of sites whose bounding circles overlap or nearly so, in batches: the pairs of one batch share
-/// no site, so they may be worked on in any order, or at once, with the same result.
+/// The pairs of sites whose bounding circles overlap or nearly so, in phases of tasks: the tasks of one phase
+/// share no site, so they may be worked on in any order, or at once, with the same result. A task holds the
+/// pairs within a block of sites, or between two blocks: first all blocks, then their borders.
 class CcvtPairs {
  public:
   /// Where the points of both sides stood when the pair was looked at last. A trade gains only if p of i lies
@@ -21,16 +23,21 @@ class CcvtPairs {
     double travel = 0;  ///< of both sites together, then
   };
 
-  /// `keeps_account`: of what comes and goes, so that most pairs need no look at their points although their
-  /// sites have changed; else any change calls for a look, which is cheaper for small capacities.
-  explicit CcvtPairs(bool keeps_account) : keeps_account_(keeps_account) {}
+  /// From a certain capacity on, account is kept of what comes and goes, so that most pairs need no look at
+  /// their points although their sites have changed. Below, any change calls for a look, which is cheaper
+  /// there.
+  explicit CcvtPairs(std::uint32_t capacity);
 
   /// Finds the pairs of sites whose circle moved or grew beyond the slack left for it.
   void refresh(const CcvtCells& cells);
 
-  std::size_t batches() const { return start_.empty() ? 0 : start_.size() - 1; }
-  std::size_t batch_size(std::size_t batch) const { return start_[batch + 1] - start_[batch]; }
-  Pair& pair(std::size_t batch, std::size_t k) { return pairs_[start_[batch] + k]; }
+  std::size_t phases() const { return phases_.empty() ? 0 : phases_.size() - 1; }
+  /// The tasks of a phase are [first_task(phase), first_task(phase + 1)).
+  std::size_t first_task(std::size_t phase) const { return phases_[phase]; }
+  std::span<Pair> task(std::size_t t) { return {pairs_.data() + tasks_[t], tasks_[t + 1] - tasks_[t]}; }
+  std::size_t size() const { return pairs_.size(); }
+  /// Pairs in all tasks of the phase.
+  std::size_t size(std::size_t phase) const { return tasks_[phases_[phase + 1]] - tasks_[phases_[phase]]; }
 
   /// Whether nothing can be gained from the pair, without a look at its points.
   bool is_settled(const CcvtCells& cells, const Pair& pair) const;
@@ -49,13 +56,15 @@ class CcvtPairs {
   static Circle circle_of(const CcvtSite& site);
   std::vector<std::uint32_t> stale_sites(const CcvtCells& cells);
   void find(const std::vector<std::uint32_t>& stale);
-  void batch_up(std::size_t known);
+  void share_out();
+  void list_by_site();
 
   bool keeps_account_;
+  std::uint32_t block_;  ///< sites a block
   std::vector<Circle> circles_;
   std::vector<Pair> pairs_;
-  std::vector<std::uint8_t> batch_;     ///< of each pair
-  std::vector<std::size_t> start_;      ///< of each batch in pairs_
+  std::vector<std::size_t> tasks_;      ///< first pair of each task, by phase
+  std::vector<std::size_t> phases_;     ///< first task of each phase
   std::vector<std::uint32_t> first_;    ///< of each site in of_site_
   std::vector<std::uint32_t> of_site_;  ///< the pairs of each site
 };

@@ -9,8 +9,8 @@ namespace capcon {
 
 struct FinishOptions {
   /// The descent ends when a round lowers the energy by less than this part of it, on the mean of the last 20
-  /// rounds: at an energy near 1.0085, whatever n. More rounds bring little but larger grains of hexagons ...
-  double tolerance = 5e-5;
+  /// rounds: at an energy near 1.008, whatever n. More rounds bring little but larger grains of hexagons ...
+  double tolerance = 2e-5;
   /// ... or after so many rounds ...
   int most_rounds = 1000;
   /// ... or when this says so, asked before each round with the number of rounds and the energy E_ot; may be

@@ -27,7 +27,7 @@ TEST(TransportFinish, ReachesTheEnergyAndEqualAreas) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     options.seed = seed;
     const CcvtResult result = ccvt(options);
-    EXPECT_LT(result.energy, 1.010);
+    EXPECT_LT(result.energy, 1.010) << seed;
     EXPECT_GT(result.energy, 1.0);
     EXPECT_FALSE(result.stopped);
     EXPECT_EQ(result.capacity, 64u);
@@ -120,11 +120,11 @@ TEST(Ccvt, SameBitsForAnyNumberOfThreads) {
 }
 
 TEST(Ccvt, StopsWithAValidSet) {
-  for (const int most : {0, 3, 40, 60}) {
+  for (const int most : {0, 3, 20, 50}) {
     CcvtOptions options;
     options.sites = 300;
     options.capacity = 256;
-    options.finish = most > 50;
+    options.finish = most > 30;  // so late it is under way
     int asked = 0;
     options.stop = [&] { return asked++ >= most; };
     const CcvtResult result = ccvt(options);
