@@ -115,11 +115,12 @@ void CcvtPairs::refresh(const CcvtCells& cells) {
     pairs_[kept++] = pairs_[p];
   }
   pairs_.resize(kept);
-  find(stale);
-  share_out();
+  if (kept == 0) pairs_.shrink_to_fit();  // before the new ones come: wild starts have many
+  share_out(find(stale));
 }
 
-void CcvtPairs::find(const std::vector<std::uint32_t>& stale) {
+std::vector<CcvtPairs::Names> CcvtPairs::find(const std::vector<std::uint32_t>& stale) const {
+  std::vector<Names> found;
   struct Entry {
     TorusPoint centre;
     float reach;
@@ -159,9 +160,7 @@ void CcvtPairs::find(const std::vector<std::uint32_t>& stale) {
         // Of two stale ones the larger circle finds the pair: twice its radius is as far as one has to look.
         if ((other.reach > reach || (other.reach == reach && other.index >= i)) && is_stale[other.index])
           continue;
-        Pair pair{std::min(i, other.index), std::max(i, other.index)};
-        pair.front.most_i = pair.front.most_j = kUnknown;
-        pairs_.push_back(pair);
+        found.push_back({std::min(i, other.index), std::max(i, other.index)});
       }
     };
     const std::uint32_t x = home[i] % side, y = home[i] / side;
@@ -181,9 +180,10 @@ void CcvtPairs::find(const std::vector<std::uint32_t>& stale) {
       }
     }
   }
+  return found;
 }
 
-void CcvtPairs::share_out() {
+void CcvtPairs::share_out(const std::vector<Names>& found) {
   // Sites near each other in the order are near each other in space: blocks of them, and the pairs of blocks.
   struct Group {
     std::uint32_t block, other;
@@ -193,10 +193,11 @@ void CcvtPairs::share_out() {
   const std::size_t n = circles_.size();
   std::vector<Group> groups;
   std::vector<std::vector<std::uint32_t>> of_block(n / block_ + 1);  // groups with it as their first
-  std::vector<std::uint32_t> group_of(pairs_.size());
-  for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    const auto block = static_cast<std::uint32_t>(pairs_[p].i / block_);
-    const auto other = static_cast<std::uint32_t>(pairs_[p].j / block_);
+  const std::size_t known = pairs_.size();
+  std::vector<std::uint32_t> group_of(known + found.size());
+  for (std::size_t p = 0; p < group_of.size(); ++p) {
+    const Names names = p < known ? Names{pairs_[p].i, pairs_[p].j} : found[p - known];
+    const std::uint32_t block = names.i / block_, other = names.j / block_;
     auto& list = of_block[block];
     auto at =
         std::find_if(list.begin(), list.end(), [&](std::uint32_t g) { return groups[g].other == other; });
@@ -239,8 +240,14 @@ void CcvtPairs::share_out() {
     ++phases_[groups[g].phase + 1];
   }
   for (std::uint32_t phase = 0; phase < phases; ++phase) phases_[phase + 1] += phases_[phase];
-  std::vector<Pair> sorted(pairs_.size());
-  for (std::size_t p = 0; p < pairs_.size(); ++p) sorted[at[group_of[p]]++] = pairs_[p];
+  std::vector<Pair> sorted(group_of.size());
+  for (std::size_t p = 0; p < known; ++p) sorted[at[group_of[p]]++] = pairs_[p];
+  for (std::size_t p = known; p < group_of.size(); ++p) {
+    Pair& pair = sorted[at[group_of[p]]++];
+    pair.i = found[p - known].i;
+    pair.j = found[p - known].j;
+    pair.front.most_i = pair.front.most_j = kUnknown;
+  }
   pairs_.swap(sorted);
   if (keeps_account_) list_by_site();
 }

@@ -18,7 +18,7 @@ class CcvtPairs {
   /// farther along the direction from i to j than q of j. As long as no point has come that is farther out,
   /// and the sites have moved too little to turn the direction enough, there is nothing to gain.
   struct Pair {
-    std::uint32_t i, j;
+    std::uint32_t i = 0, j = 0;
     CcvtFront front{};
     double travel = 0;  ///< of both sites together, then
   };
@@ -55,8 +55,11 @@ class CcvtPairs {
   };
   static Circle circle_of(const CcvtSite& site);
   std::vector<std::uint32_t> stale_sites(const CcvtCells& cells);
-  void find(const std::vector<std::uint32_t>& stale);
-  void share_out();
+  struct Names {
+    std::uint32_t i, j;
+  };
+  std::vector<Names> find(const std::vector<std::uint32_t>& stale) const;
+  void share_out(const std::vector<Names>& found);
   void list_by_site();
 
   bool keeps_account_;
