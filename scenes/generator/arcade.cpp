@@ -106,9 +106,8 @@ void add_arcades(Assembly& scene) {
   slender.add("stone", slender_column(kUpperSpringing - kGallery - kRail, 0.095));
   pier.add("stone", square_pier(kSpringing - kFloor, 0.27));
   pier.add("stone", box(Vec3(-0.262, -0.262, kSpringing - kFloor - 0.02),
-                        Vec3(0.262, 0.262, kGallery - kFloor), kAllFaces & ~kBottom & ~kTop));
-  pedestal.add("stone",
-               box(Vec3(-0.15, -0.15, 0), Vec3(0.15, 0.15, kRail - 0.1), kAllFaces & ~kBottom & ~kTop));
+                        Vec3(0.262, 0.262, kGallery - kFloor), kUpright));
+  pedestal.add("stone", bevelled_box(Vec3(-0.17, -0.17, -0.02), Vec3(0.17, 0.17, kRail + 0.008), 0.008));
   scene.define("column-lower", std::move(column));
   scene.define("column-upper", std::move(slender));
   scene.define("pier", std::move(pier));
@@ -125,14 +124,23 @@ void add_arcades(Assembly& scene) {
         scene.place("medallion", frame * translate(u - kBay / 2, 0, 0));
       }
       for (const double x : {u - kBay / 2, u}) {
-        if (x == -half_length(side) && side != Side::south) continue;  // the corners have piers
+        if (x == -half_length(side)) continue;  // the corners have piers
         scene.place("column-upper", frame * translate(x, 0, kGallery + kRail));
         scene.place("pedestal", frame * translate(x, 0, kGallery));
       }
     }
   }
+  Model upper_pier;
+  const double upper = kUpperSpringing - kGallery;
+  upper_pier.add("stone", square_pier(upper, 0.2));
+  upper_pier.add(
+      "stone", box(Vec3(-0.195, -0.195, upper - 0.02), Vec3(0.195, 0.195, kUpperHead - kGallery), kUpright));
+  scene.define("pier-upper", std::move(upper_pier));
   for (const double x : {-kHalfX, kHalfX}) {
-    for (const double y : {-kHalfY, kHalfY}) scene.place("pier", translate(x, y, kFloor));
+    for (const double y : {-kHalfY, kHalfY}) {
+      scene.place("pier", translate(x, y, kFloor));
+      scene.place("pier-upper", translate(x, y, kGallery));
+    }
   }
   Model mouldings;
   mouldings.add("stone", string_course());

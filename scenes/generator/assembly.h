@@ -22,6 +22,7 @@ class Assembly {
   /// Repeats all that has been placed so far: nx times along x and ny times along y, `step` metres apart.
   void repeat(int nx, int ny, const Vec2& step);
 
+  const std::string& name() const { return name_; }
   std::uint64_t unique_triangles() const;
   std::uint64_t instanced_triangles() const;
 

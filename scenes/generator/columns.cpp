@@ -94,14 +94,14 @@ Mesh baluster(double height) {
 }
 
 Mesh square_pier(double height, double half) {
-  Mesh mesh = box(Vec3(-half, -half, 0), Vec3(half, half, height), kAllFaces & ~kBottom & ~kTop);
+  Mesh mesh = box(Vec3(-half, -half, 0), Vec3(half, half, height), kUpright);
   const auto ring = [&](const Profile& profile) {
     mesh.append(moulding(
         profile.points(),
         {Vec3(half, -half, 0), Vec3(-half, -half, 0), Vec3(-half, half, 0), Vec3(half, half, 0)}, true));
   };
   Profile plinth(0.05, -0.02), impost(-0.01, height - 0.34);
-  plinth.to(0.05, 0.22).curve(0, 0.06, 1, 5).by(-0.02, 0.01).curve(-0.03, 0.05, -0.4, 4).by(-0.01, 0);
+  plinth.to(0.05, 0.22).curve(0, 0.06, 1, 5).by(-0.02, 0.01).curve(-0.024, 0.05, -0.3, 4).by(-0.016, 0.006);
   impost.by(0.03, 0)
       .curve(0, 0.04, 1, 4)
       .by(0, 0.06)

@@ -67,11 +67,11 @@ void add_galleries(Assembly& scene) {
   // What the tiles lie on: the arcades' filling up to the gallery's floor.
   Model bed;
   const double z = kGallery - 0.012, a = kWall / 2 + 0.02;
-  bed.add("earth",
+  bed.add("stone",
           box(Vec3(-10.3, kHalfY - a, z - 0.03), Vec3(kEastFace + 0.05, kHalfY + kWalk + 0.05, z), kTop));
-  bed.add("earth",
+  bed.add("stone",
           box(Vec3(-10.3, -kHalfY - kWalk - 0.05, z - 0.03), Vec3(kEastFace + 0.05, -kHalfY + a, z), kTop));
-  bed.add("earth", box(Vec3(-10.3, -kHalfY + a, z - 0.03), Vec3(-kHalfX + a, kHalfY - a, z), kTop));
+  bed.add("stone", box(Vec3(-10.3, -kHalfY + a, z - 0.03), Vec3(-kHalfX + a, kHalfY - a, z), kTop));
   scene.add("gallery-bed", std::move(bed));
 }
 

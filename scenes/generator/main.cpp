@@ -8,12 +8,14 @@
 
 #include "base/error.h"
 #include "generator/courtyard.h"
+#include "generator/nave.h"
 
 namespace {
 using namespace capcon;
 
-void report(const scenes::Assembly& scene, const char* name) {
-  fmt::print("{}: {} triangles, {} with all instances\n", name, scene.unique_triangles(),
+void write(const scenes::Assembly& scene, const std::filesystem::path& folder) {
+  scene.write(folder);
+  fmt::print("{}: {} triangles, {} with all instances\n", scene.name(), scene.unique_triangles(),
              scene.instanced_triangles());
 }
 
@@ -37,9 +39,8 @@ int run(int argc, char** argv) {
   }
   if (folder.empty()) throw InputError("usage: capcon_scenes [--scale N] FOLDER");
   std::filesystem::create_directories(folder);
-  const scenes::Assembly court = scenes::courtyard(scale);
-  court.write(folder);
-  report(court, "courtyard");
+  write(scenes::courtyard(scale), folder);
+  write(scenes::nave(), folder);
   return 0;
 }
 }  // namespace

@@ -39,7 +39,7 @@ Profile hand_rail(double z) {
 
 Mesh newel(double height, double half) {
   const double h = half;
-  Mesh mesh = box(Vec3(-h, -h, -0.02), Vec3(h, h, height - 0.1), kAllFaces & ~kBottom & ~kTop);
+  Mesh mesh = box(Vec3(-h, -h, -0.02), Vec3(h, h, height - 0.1), kUpright);
   mesh.append(bevelled_box(Vec3(-h - 0.04, -h - 0.04, -0.02), Vec3(h + 0.04, h + 0.04, 0.16), 0.012));
   mesh.append(bevelled_box(Vec3(-h - 0.025, -h - 0.025, height - 0.13),
                            Vec3(h + 0.025, h + 0.025, height - 0.085), 0.01));

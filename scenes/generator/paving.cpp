@@ -36,11 +36,9 @@ Mesh court_slabs(double x0, double y0, double x1, double y1) {
       const double sx = dice.between(-0.006, 0.006, 1000 + stone, 10),
                    sy = dice.between(-0.006, 0.006, 1000 + stone, 11);
       for (Vec3& p : top) p.z = level + sx * (p.x - x - width / 2) + sy * (p.y - y - height / 2);
-      const Vec2 nearest(std::max({x, -x - width, 0.0}), std::max({y, -y - height, 0.0}));
       const Vec2 farthest(std::max(std::abs(x), std::abs(x + width)),
                           std::max(std::abs(y), std::abs(y + height)));
       const bool hidden = std::hypot(farthest.x, farthest.y) < 1.9;
-      static_cast<void>(nearest);
       if (!hidden) mesh.append(paving_stone(top, -0.05, dice.between(0.006, 0.011, 1000 + stone, 12)));
       x += width;
     }
@@ -94,6 +92,9 @@ void add_paving(Assembly& scene) {
   const double inner = 0.385, outer = kWalk + 0.02;
   walk.add("terracotta", terracotta(-kBay / 2, inner, kBay / 2, outer, 0, 3));
   corner.add("terracotta", terracotta(inner, inner, outer, outer, 0, 4));
+  corner.add("terracotta",
+             terracotta(0.0, inner, inner, outer, 0, 5));  // the strips between the corner and the bays
+  corner.add("terracotta", terracotta(inner, 0.0, outer, inner, 0, 6));
   // Under the tiles lies their bed; the gallery's bed is its ceiling's boards.
   Model bed;
   bed.add("earth", box(Vec3(-10.7, -9.3, -0.02), Vec3(kEastFace + 0.1, -kHalfY - 0.3, kFloor - 0.012), kTop));
@@ -102,10 +103,14 @@ void add_paving(Assembly& scene) {
           box(Vec3(-10.7, -kHalfY - 0.3, -0.02), Vec3(-kHalfX - 0.3, kHalfY + 0.3, kFloor - 0.012), kTop));
   scene.add("walk-bed", std::move(bed));
   kerb.add("stone", kerb_stones(kBay));
-  kerb_corner.add("stone", bevelled_box(Vec3(-0.42, -0.42, -0.06), Vec3(0.42, 0.42, kFloor), 0.012));
+  kerb_corner.add("stone", bevelled_box(Vec3(-0.44, -0.44, -0.06), Vec3(0.44, 0.44, kFloor + 0.006), 0.012));
   scene.define("walk", std::move(walk));
   scene.define("walk-corner", std::move(corner));
   scene.define("kerb", std::move(kerb));
+  scene.define("kerb-corner", std::move(kerb_corner));
+  for (const double x : {-kHalfX, kHalfX}) {
+    for (const double y : {-kHalfY, kHalfY}) scene.place("kerb-corner", translate(x, y, 0));
+  }
   for (const Side side : kSides) {
     const Matrix frame = side_frame(side);
     for (int bay = 0; bay < bays(side); ++bay) {
@@ -115,7 +120,6 @@ void add_paving(Assembly& scene) {
     }
   }
   for (const double z : {kFloor, kGallery}) {
-    // The corner's tiles, and the two strips between them and the bays' own.
     scene.place("walk-corner", translate(-kHalfX, kHalfY, z) * rotate_z(90));
     scene.place("walk-corner", translate(-kHalfX, -kHalfY, z) * rotate_z(180));
   }

@@ -51,7 +51,7 @@ Pot urn(double height) {
 Pot tub(double size, double height) {
   const double s = size / 2, h = height;
   Pot pot{{}, 0.9 * h};
-  Mesh mesh = box(Vec3(-s, -s, -0.02), Vec3(s, s, h - 0.04), kAllFaces & ~kTop & ~kBottom);
+  Mesh mesh = box(Vec3(-s, -s, -0.02), Vec3(s, s, h - 0.04), kUpright);
   const std::vector<Vec3> ring = {Vec3(s, -s, 0), Vec3(-s, -s, 0), Vec3(-s, s, 0), Vec3(s, s, 0)};
   Profile foot(0.03, -0.02), rim(-0.01, h - 0.12);
   foot.to(0.03, 0.07).curve(-0.04, 0.04, -0.3, 3);

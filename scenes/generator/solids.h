@@ -14,6 +14,7 @@ enum Face : unsigned {
   kNorth = 8,
   kBottom = 16,
   kTop = 32,
+  kUpright = 15,
   kAllFaces = 63
 };
 

@@ -106,10 +106,8 @@ void add_stairs(Assembly& scene) {
   const double x = kString + kStringThick / 2, height = kRail - 0.2, top = string_top(kArrival);
   Model raked, post, rail;
   raked.add("stone", baluster(height));
-  raked.add("stone",
-            box(Vec3(-0.065, -0.065, -0.05), Vec3(0.065, 0.065, -0.005), kAllFaces & ~kBottom & ~kTop));
-  raked.add("stone", box(Vec3(-0.062, -0.062, height + 0.005), Vec3(0.062, 0.062, height + 0.05),
-                         kAllFaces & ~kBottom & ~kTop));
+  raked.add("stone", box(Vec3(-0.065, -0.065, -0.05), Vec3(0.065, 0.065, -0.005), kUpright));
+  raked.add("stone", box(Vec3(-0.062, -0.062, height + 0.005), Vec3(0.062, 0.062, height + 0.05), kUpright));
   scene.define("baluster-raked", std::move(raked));
   for (int i = 0; i < 30; ++i) {
     const double y = kFirst + 0.13 + 0.2417 * i;

@@ -108,7 +108,7 @@ Mesh archivolt(const Opening& o, const std::vector<Vec2>& section, bool jambs) {
     }
     frames.push_back({Vec3(line[i].x, 0, line[i].y), Vec3(mitre.x, 0, mitre.y), Vec3(0, -1, 0)});
   }
-  return sweep(section, false, frames, Ends::open);
+  return sweep(section, false, frames, jambs ? Ends::capped : Ends::open);
 }
 
 }  // namespace capcon::scenes
