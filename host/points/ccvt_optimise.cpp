@@ -13,7 +13,7 @@ namespace {
 
 /// Above so many arrivals a look at the points is cheaper than to keep account of them.
 constexpr std::uint32_t kFew = 8;
-constexpr int kSweeps = 2;             // over the pairs of a block in one pass
+constexpr int kSweeps = 3;             // over the pairs of a block in one pass
 constexpr double kWorthThreads = 4e5;  // nanoseconds of a phase from which threads are worth starting
 
 /// Works on one pair and tells the others of both sites. Returns the number of points exchanged.
