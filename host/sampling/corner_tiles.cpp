@@ -1,8 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
+#include "base/error.h"
 #include "base/hash.h"
 #include "layout.h"
 #include "sampling/address.h"
@@ -13,12 +16,14 @@
 namespace capcon {
 namespace {
 
-/// How a set of n points is cut into tiles: a^2 + b^2 tiles with the first `ranks` points each, `extra` tiles one more.
+/// How a set of n points is cut into tiles: a^2 + b^2 tiles with the first `ranks` points each, `extra` tiles
+/// one more.
 struct Cut {
   std::uint32_t a = 1, b = 0, ranks = 1, extra = 0;
 };
 
-/// The cut with the fewest left-over points, then the one that uses most of each tile; n <= tile points: one tile.
+/// The cut with the fewest left-over points, then the one that uses most of each tile; n <= tile points: one
+/// tile.
 Cut choose_cut(std::uint32_t n, std::uint32_t tile_points) {
   if (n <= tile_points) return {1, 0, n, 0};
   std::optional<Cut> best;
@@ -29,7 +34,9 @@ Cut choose_cut(std::uint32_t n, std::uint32_t tile_points) {
       const Cut cut{a, b, n / tiles, n % tiles};
       const bool fits = cut.ranks + (cut.extra > 0 ? 1 : 0) <= tile_points && 2 * cut.ranks >= tile_points;
       if (!fits) continue;
-      const auto key = [](const Cut& c) { return std::pair(c.extra > 0 ? 1 : 0, -static_cast<int>(c.ranks)); };
+      const auto key = [](const Cut& c) {
+        return std::pair(c.extra > 0 ? 1 : 0, -static_cast<int>(c.ranks));
+      };
       if (!best || key(cut) < key(*best)) best = cut;
     }
   }
@@ -51,7 +58,8 @@ class CornerTileSampler final : public Sampler {
     cells_.resize(tiling_.size());
     std::iota(cells_.begin(), cells_.end(), 0u);
     if (cut_.extra > 0) {
-      std::sort(cells_.begin(), cells_.end(), [](std::uint32_t x, std::uint32_t y) { return mix64(0, 0, x) < mix64(0, 0, y); });
+      std::sort(cells_.begin(), cells_.end(),
+                [](std::uint32_t x, std::uint32_t y) { return mix64(0, 0, x) < mix64(0, 0, y); });
     }
   }
 
@@ -72,7 +80,8 @@ class CornerTileSampler final : public Sampler {
     return {origin.x + place.x + words[0], origin.y + place.y + words[1]};
   }
 
-  /// Texels: first the cells (origin x, y; corners 0 and 1, corners 2 and 3 as 16-bit pairs), then the tiles' points.
+  /// Texels: first the cells (origin x, y; corners 0 and 1, corners 2 and 3 as 16-bit pairs), then the tiles'
+  /// points.
   SamplerTables tables() const override {
     SamplerTables result{layout::kSamplerCapcon, {tiling_.size(), cut_.ranks, stride_, cut_.extra}, {}};
     for (const std::uint32_t cell : cells_) {
@@ -100,6 +109,14 @@ class CornerTileSampler final : public Sampler {
 }  // namespace
 
 std::unique_ptr<Sampler> make_capcon_sampler(std::uint32_t count, std::uint32_t seed) {
+  // The table holds lattice vertices as 16-bit numbers: 65,536 tiles of 16 points at the most.
+  constexpr std::uint32_t kMostPoints = 1u << 20;
+  if (count > kMostPoints) {
+    throw InputError(fmt::format(
+        "the capcon sampler makes sets of at most {} points, and {} are asked for; take fewer samples, or "
+        "sobol-owen",
+        kMostPoints, count));
+  }
   return std::make_unique<CornerTileSampler>(shipped_tile_set(2, 16), count, seed);
 }
 

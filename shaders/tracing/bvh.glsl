@@ -24,6 +24,21 @@ const float kFarther = 1.0000012;  // the far planes' share of the rounding of (
 vec4 later(vec4 a, vec4 b) { return mix(b, a, greaterThan(a, b)); }
 vec4 sooner(vec4 a, vec4 b) { return mix(b, a, lessThan(a, b)); }
 
+// What the ray says to the primitive in a slot: distance (below 0: nothing) and a triangle's weights; the primitive's id.
+vec4 meet_primitive(Ray ray, RayFrame frame, uint slot, out uint id) {
+  uvec4 w0 = FETCH(primitive_texels, slot * 3u);
+  uvec4 w1 = FETCH(primitive_texels, slot * 3u + 1u);
+  uvec4 w2 = FETCH(primitive_texels, slot * 3u + 2u);
+  vec4 met = meet_triangle(ray, frame, uintBitsToFloat(w0.xyz), uintBitsToFloat(w1.xyz), uintBitsToFloat(w2.xyz));
+  if (kHasQuadrics != 0u) {
+    bool quadric = (w0.w & kQuadricBit) != 0u;
+    float t = meet_quadric(ray, quadric ? w0.w & ~kQuadricBit : 0u, 0.0);
+    met = quadric ? vec4(t, 0.0, 0.0, 0.0) : met;
+  }
+  id = w0.w;
+  return met;
+}
+
 // Groups of siblings that wait, unsorted: first sibling << 4 | the slots that are left.
 uint mask_rest(uint group) { return group & (group - 1u); }  // of a group with slots left
 uint mask_node(uint group) {
@@ -81,16 +96,9 @@ bool occluded(Ray ray, TreeConstants tree, bool live) {
       uint bit = testing ? uint(findLSB(mask)) : 0u;
       mask &= mask - 1u;
       uint slot = first + bit;
-      uvec4 w0 = FETCH(primitive_texels, slot * 3u);
-      uvec4 w1 = FETCH(primitive_texels, slot * 3u + 1u);
-      uvec4 w2 = FETCH(primitive_texels, slot * 3u + 2u);
-      vec4 met = meet_triangle(ray, frame, uintBitsToFloat(w0.xyz), uintBitsToFloat(w1.xyz), uintBitsToFloat(w2.xyz));
-      if (kHasQuadrics != 0u) {
-        bool quadric = (w0.w & kQuadricBit) != 0u;
-        float t = meet_quadric(ray, quadric ? w0.w & ~kQuadricBit : 0u, 0.0);
-        met = quadric ? vec4(t, 0.0, 0.0, 0.0) : met;
-      }
-      bool nearer = testing && met.x > 0.0 && met.x < t_max && w0.w != ray.skip;
+      uint id;
+      vec4 met = meet_primitive(ray, frame, slot, id);
+      bool nearer = testing && met.x > 0.0 && met.x < t_max && id != ray.skip;
       hit = hit || nearer;
       mask = nearer ? 0u : mask;
     } while (mask != 0u);
@@ -180,16 +188,9 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
       uint bit = testing ? uint(findLSB(mask)) : 0u;
       mask &= mask - 1u;
       uint slot = first + bit;
-      uvec4 w0 = FETCH(primitive_texels, slot * 3u);
-      uvec4 w1 = FETCH(primitive_texels, slot * 3u + 1u);
-      uvec4 w2 = FETCH(primitive_texels, slot * 3u + 2u);
-      vec4 met = meet_triangle(ray, frame, uintBitsToFloat(w0.xyz), uintBitsToFloat(w1.xyz), uintBitsToFloat(w2.xyz));
-      if (kHasQuadrics != 0u) {
-        bool quadric = (w0.w & kQuadricBit) != 0u;
-        float t = meet_quadric(ray, quadric ? w0.w & ~kQuadricBit : 0u, 0.0);
-        met = quadric ? vec4(t, 0.0, 0.0, 0.0) : met;
-      }
-      bool nearer = testing && met.x > 0.0 && met.x < hit.t && w0.w != ray.skip;
+      uint id;
+      vec4 met = meet_primitive(ray, frame, slot, id);
+      bool nearer = testing && met.x > 0.0 && met.x < hit.t && id != ray.skip;
       hit.t = nearer ? met.x : hit.t;
       hit.slot = nearer ? slot : hit.slot;
       hit.weights = nearer ? met.yzw : hit.weights;

@@ -28,6 +28,8 @@ TEST(Sampler, UnknownNameListsTheKnownOnes) {
     EXPECT_NE(std::string(error.what()).find("sobol-owen"), std::string::npos);
   }
   EXPECT_THROW(make_sampler("random", 0, 1), InputError);
+  EXPECT_THROW(make_sampler("capcon", (1u << 20) + 1, 1), InputError) << "more vertices than 16 bits number";
+  EXPECT_EQ(make_sampler("capcon", 1u << 20, 1)->tables().constants[0], 65536u);
 }
 
 // Every elementary interval of area 1/n holds one point: the (0, m, 2)-net property, for both scramblings.
