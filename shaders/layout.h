@@ -36,6 +36,8 @@ CAPCON_CONST kSpecStackSize = 1u;    // entries of the traversal stack beyond it
 CAPCON_CONST kSpecQuadrics = 2u;     // 1: the scene has spheres or disks
 CAPCON_CONST kSpecJittered = 3u;     // 1: image samples lie at points of the sampler, 0: at pixel centres
 CAPCON_CONST kSpecAnyHit = 4u;       // rays.comp: 1: any hit will do, 0: the closest
+CAPCON_CONST kSpecInstances = 5u;    // 1: the scene's tree is one of instances, each with a tree of its own
+CAPCON_CONST kSpecDetails = 6u;      // 1: primary.comp writes what shading needs: normal, uv, material
 
 // Bindings of every kernel; those that a kernel does not name are left out of its layout.
 CAPCON_CONST kBindNodes = 0u;       // data texels: four a BVH node
@@ -47,10 +49,16 @@ CAPCON_CONST kBindCounts = 5u;      // visible rays a pixel, storage
 CAPCON_CONST kBindPoints = 6u;      // sample points as bits, storage (the test kernel's output)
 CAPCON_CONST kBindRays = 7u;        // data texels: two a ray (rays.comp)
 CAPCON_CONST kBindHits = 8u;        // distance and primitive of each ray, storage (rays.comp)
+CAPCON_CONST kBindInstances = 9u;   // data texels: eight an instance
+CAPCON_CONST kBindDetails = 10u;    // data texels: three a primitive, what shading needs of it
+CAPCON_CONST kBindShading = 11u;    // what shading needs of each pixel: two texels, storage
+CAPCON_CONST kBindCount = 12u;
 
 // Ids in a primitive's first texel (word 3): triangles count from 0, quadrics carry this bit and their index.
 CAPCON_CONST kQuadricBit = 0x80000000u;
 CAPCON_CONST kNoPrimitive = 0xffffffffu;
+// In the root node of an instance: the world's own shapes, which stay as they are.
+CAPCON_CONST kWorldInstance = 0x80000000u;
 // Quadric kinds, in the first word of the last texel of a quadric.
 CAPCON_CONST kQuadricSphere = 0u;
 CAPCON_CONST kQuadricDisk = 1u;
@@ -65,9 +73,9 @@ struct TreeConstants {
 struct PrimaryConstants {
   TreeConstants tree;  // grid_origin.w: unused; grid_scale.w: unused
   vec4 eye;            // camera position; w: image width in pixels
-  vec4 corner;         // direction through film position (0, 0)
-  vec4 across;         // change of direction a pixel to the right
-  vec4 down;           // change of direction a pixel downwards
+  vec4 corner;         // direction through film position (0, 0); w: pixels of this batch
+  vec4 across;         // change of direction a pixel to the right; w: the band's first pixel
+  vec4 down;           // change of direction a pixel downwards; w: 1 if image samples are jittered
   uvec4 words;         // SamplerTables::constants
   uint seed;
   uint count;
@@ -86,6 +94,8 @@ struct OcclusionConstants {
   uint samples;
   float radius;
   uint group_stride;  // coprime to the number of groups, both below 2^16: spreads the work over the driver's threads
+  uint band;          // the first pixel that surfaces and counts are kept for
+  uint pad0, pad1, pad2;
 };
 
 struct RayConstants {

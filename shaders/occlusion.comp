@@ -23,8 +23,9 @@ void main() {
   uint index = push.first_sample + local - pixel_in_batch * push.samples;
   bool inside = pixel_in_batch < push.pixel_count;
   uint pixel = push.first_pixel + (inside ? pixel_in_batch : 0u);
-  uvec4 at = FETCH(surface_texels, pixel * 2u);
-  uvec4 facing = FETCH(surface_texels, pixel * 2u + 1u);
+  uint place = pixel - push.band;
+  uvec4 at = FETCH(surface_texels, place * 2u);
+  uvec4 facing = FETCH(surface_texels, place * 2u + 1u);
   bool live = inside && facing.w != 0u;
 
   vec2 u = unit_floats(sample_bits(push.words, push.seed, push.count, pixel, index, 0u));
@@ -33,5 +34,5 @@ void main() {
   ray.direction = normalize(to_frame(cosine_hemisphere(u), uintBitsToFloat(facing.xyz)));
   ray.t_max = push.radius;
   ray.skip = at.w;
-  if (!occluded(ray, push.tree, live) && live) atomicAdd(counts[pixel], 1u);
+  if (!occluded(ray, push.tree, live) && live) atomicAdd(counts[place], 1u);
 }

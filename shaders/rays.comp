@@ -28,11 +28,11 @@ void main() {
   ray.skip = r1.w;
   Hit hit;
   if (kAnyHit != 0u) {
-    hit.t = 0.0;
+    hit = Hit(0.0, 0u, 0u, vec3(0.0));
     hit.slot = occluded(ray, push.tree, live) ? 0u : kNoPrimitive;
   } else {
     hit = closest(ray, push.tree, live);
   }
-  uint id = hit.slot == kNoPrimitive ? kNoPrimitive : FETCH(primitive_texels, hit.slot * 3u).w;
+  uint id = kAnyHit != 0u ? hit.slot : hit_id(hit);
   if (live) hits[index] = uvec2(floatBitsToUint(hit.t), id);
 }

@@ -2,32 +2,44 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/hash.h"
 #include "base/progress.h"
+#include "cli/profile_table.h"
 #include "cli/verbs.h"
+#include "image/exr_rows.h"
+#include "image/partial_image.h"
 #include "reference/reference.h"
+#include "render/explain.h"
+#include "render/features.h"
 #include "render/renderer.h"
+#include "render/renderer_state.h"
 #include "scene/scene.h"
+#include "study/scene_facts.h"
 
 namespace capcon::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 struct Options {
   std::string scene, integrator = "ao", output, position = "centre";
   AmbientOcclusionJob job;
   RendererOptions renderer;
   int width = 0, height = 0;
-  bool json = false, quiet = false;
+  bool json = false, quiet = false, profile = false, explain = false;
 };
 
 /// EXR attributes in pbrt-v4's names, and ours besides.
-Attributes attributes_of(const Options& o, const RenderResult& result, const Timings& timings, double seconds) {
+Attributes attributes_of(const Options& o, const RenderResult& result, const Timings& timings,
+                         double seconds) {
   Attributes a;
   a["samplesPerPixel"] = static_cast<int>(o.job.samples);
   a["renderTimeSeconds"] = static_cast<float>(seconds);
@@ -42,19 +54,162 @@ Attributes attributes_of(const Options& o, const RenderResult& result, const Tim
   return a;
 }
 
-void run(const Options& o) {
-  const auto start = Clock::now();
-  const bool png = std::filesystem::path(o.output).extension() == ".png";
-  if (!png && std::filesystem::path(o.output).extension() != ".exr") {
+void check(const Options& o) {
+  const auto extension = std::filesystem::path(o.output).extension();
+  if (o.explain && o.output.empty()) return;
+  if (o.output.empty()) throw InputError("name the image to write with -o");
+  if (extension != ".png" && extension != ".exr") {
     throw InputError(fmt::format("-o {}: the image's name must end in .exr or .png", o.output));
   }
+  check_writable(o.output);
+}
+
+/// What a render leaves behind: the image is written, unless that is done later.
+struct Outcome {
+  RenderResult result;  ///< without the image where it was written row by row
+  Timings timings;
+  nlohmann::json device;
+};
+
+/// Everything that makes the image what it is.
+std::uint64_t job_key(const Options& o, const Scene& scene, const std::string& device) {
+  return fnv1a64(fmt::format("{} {:016x} {} {} {} {} {} {} {} {} {}", version(), fingerprint(scene),
+                             points_fingerprint(), scene.film.width, scene.film.height, o.integrator,
+                             o.job.sampler, o.job.samples, o.job.seed, o.job.radius,
+                             o.position + " " + device));
+}
+
+void merge(const Timings& from, Timings& into) {
+  for (const auto& [stage, s] : from.wall) into.wall[stage] += s;
+  for (const auto& [stage, s] : from.device) into.device[stage] += s;
+}
+
+/// An image too large to be held: rows go to a file beside the output as they come, and from there into the
+/// image. A run that was stopped goes on where it was.
+Outcome render_large(const Options& o, const Scene& scene, Renderer& renderer, Timings timings,
+                     Clock::time_point start) {
+  const int width = scene.film.width, height = scene.film.height;
+  const int rows = std::max(1, static_cast<int>(kBandPixels) / width);
+  Outcome outcome{{}, std::move(timings), renderer.device_info()};
+  PartialImage partial(o.output + ".partial", job_key(o, scene, outcome.device.at("name")), width, height, 1);
+  if (partial.row_count() > 0 && !o.quiet) {
+    fmt::print(stderr, "capcon: going on from {} of {} rows in {}.partial\n", partial.row_count(), height,
+               o.output);
+  }
+  Progress progress("rendering", height, o.quiet);
+  for (int first = 0; first < height; first += rows) {
+    const int count = std::min(rows, height - first);
+    progress.update(first);
+    if (partial.has(first, count)) continue;
+    RenderResult band = renderer.render_rows(
+        o.job, first, count, [&](double fraction) { progress.update(first + fraction * count); });
+    const auto writing = Clock::now();
+    partial.add(first, band.image.pixels);
+    merge(band.timings, outcome.timings);
+    outcome.timings.wall["write"] += seconds_since(writing);
+    if (outcome.result.rays == 0) outcome.result.first_dispatch = band.first_dispatch;
+    outcome.result.rays += band.rays;
+    outcome.result.device = band.device;
+  }
+  const auto writing = Clock::now();
+  outcome.result.device = outcome.device.at("name");
+  ExrRows file(o.output, width, height, 1,
+               attributes_of(o, outcome.result, outcome.timings, seconds_since(start)));
+  partial.read([&](std::span<const float> pixels) { file.write(pixels); });
+  file.finish();
+  partial.remove();
+  outcome.timings.wall["write"] += seconds_since(writing);
+  return outcome;
+}
+
+void write(const Options& o, Outcome& outcome, Clock::time_point start) {
+  const double seconds = seconds_since(start);
+  const auto writing = Clock::now();
+  if (std::filesystem::path(o.output).extension() == ".png") {
+    write_png(o.output, outcome.result.image);
+  } else {
+    write_exr(o.output, outcome.result.image, attributes_of(o, outcome.result, outcome.timings, seconds));
+  }
+  outcome.timings.wall["write"] = seconds_since(writing);
+}
+
+Outcome render(const Options& o, Scene& scene, PendingDevice device, Timings timings,
+               Clock::time_point start) {
+  if (o.renderer.device != "reference") {
+    Renderer renderer(scene, o.renderer, std::move(device), &o.job);
+    merge(renderer.setup(), timings);
+    const bool exr = std::filesystem::path(o.output).extension() == ".exr";
+    if (exr && std::size_t(scene.film.width) * scene.film.height > kBandPixels) {
+      return render_large(o, scene, renderer, std::move(timings), start);
+    }
+    Progress progress("rendering", 1, o.quiet);
+    Outcome outcome{renderer.render(o.job, [&](double fraction) { progress.update(fraction); }),
+                    std::move(timings), renderer.device_info()};
+    merge(outcome.result.timings, outcome.timings);
+    write(o, outcome, start);
+    return outcome;
+  }
+  const Reference reference(scene);
+  Progress progress("rendering", 1, o.quiet);
+  Outcome outcome{reference.render(o.job, [&](double fraction) { progress.update(fraction); }),
+                  std::move(timings),
+                  {{"name", "reference"}}};
+  merge(reference.setup(), outcome.timings);
+  merge(outcome.result.timings, outcome.timings);
+  write(o, outcome, start);
+  return outcome;
+}
+
+nlohmann::ordered_json report(const Options& o, const Scene& scene, const Outcome& outcome, double seconds,
+                              double first_dispatch) {
+  double traced = 0;
+  for (const auto& [stage, s] : outcome.timings.device) traced += s;
+  nlohmann::ordered_json json = {
+      {"output", o.output},
+      {"scene", scene.name},
+      {"integrator", o.integrator},
+      {"width", scene.film.width},
+      {"height", scene.film.height},
+      {"sampler", o.job.sampler},
+      {"samples", o.job.samples},
+      {"seed", o.job.seed},
+      {"radius", std::isinf(o.job.radius) ? nlohmann::json("inf") : nlohmann::json(o.job.radius)},
+      {"pixel_samples", o.position},
+      {"device", outcome.device},
+      {"rays", outcome.result.rays},
+      {"device_seconds", traced},
+      {"seconds", seconds},
+      {"timings", to_json(outcome.timings)}};
+  if (first_dispatch > 0) json["first_dispatch_seconds"] = first_dispatch;
+  return json;
+}
+
+void run_explain(const Options& o) {
+  // What compiling costs shows only when the driver has nothing to remember.
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  const Explanation e = explain(o.scene, o.width, o.height, o.job, o.renderer);
+  fmt::print("{}", o.json ? to_json(e).dump(2) + "\n" : to_text(e));
+  if (!e.identical)
+    throw Failure("the image differs when everything is kept: this is a defect, please report it");
+}
+
+void run(const Options& o) {
+  const auto start = Clock::now();
   if (o.width < 0 || o.height < 0 || o.width > 16384 || o.height > 16384) {
     throw InputError("--width and --height must be between 1 and 16384");
   }
   if (!(o.job.radius > 0)) throw InputError("--radius must be above 0 (or inf)");
   make_sampler(o.job.sampler, 1, 1);  // an unknown name is said before the work
-  check_writable(o.output);
-  Scene scene = read_scene(o.scene);
+  check(o);
+  const bool on_reference = o.renderer.device == "reference";
+  if (o.explain) {
+    if (on_reference) throw InputError("--explain is about a Vulkan device; leave out --device reference");
+    run_explain(o);
+    if (o.output.empty()) return;
+  }
+  PendingDevice device;
+  if (!on_reference) device = open_device(o.renderer);
+  Scene scene = read_scene(o.scene, needed_reading(o.renderer.keep_everything));
   if (o.width > 0) scene.film.width = o.width;
   if (o.height > 0) scene.film.height = o.height;
   for (const std::string& warning : scene.warnings) {
@@ -62,55 +217,16 @@ void run(const Options& o) {
   }
   Timings timings;
   timings.wall["read"] = seconds_since(start);
-  nlohmann::json device;
-  Progress progress("rendering", 1, o.quiet);
-  const auto on_progress = [&](double fraction) { progress.update(fraction); };
-  const auto finish = [&](const Timings& setup, RenderResult result) {
-    timings.wall.insert(setup.wall.begin(), setup.wall.end());
-    timings.wall.insert(result.timings.wall.begin(), result.timings.wall.end());
-    timings.device = result.timings.device;
-    return result;
-  };
-  RenderResult result;
-  if (o.renderer.device == "reference") {
-    const Reference reference(scene);
-    result = finish(reference.setup(), reference.render(o.job, on_progress));
-    device = {{"name", "reference"}};
-  } else {
-    Renderer renderer(scene, o.renderer);
-    result = finish(renderer.setup(), renderer.render(o.job, on_progress));
-    device = renderer.device_info();
-  }
+  const Outcome outcome = render(o, scene, std::move(device), std::move(timings), start);
   const double seconds = seconds_since(start);
-  const auto writing = Clock::now();
-  if (png) {
-    write_png(o.output, result.image);
-  } else {
-    write_exr(o.output, result.image, attributes_of(o, result, timings, seconds));
-  }
-  timings.wall["write"] = seconds_since(writing);
-  double traced = 0;
-  for (const auto& [stage, s] : timings.device) traced += s;
+  const double first_dispatch = std::chrono::duration<double>(outcome.result.first_dispatch - start).count();
+  if (o.profile && !o.quiet)
+    fmt::print(stderr, "{}", profile_table(outcome.timings, seconds, first_dispatch));
   if (o.json) {
-    const nlohmann::json report = {{"output", o.output},
-                                   {"scene", scene.name},
-                                   {"integrator", o.integrator},
-                                   {"width", scene.film.width},
-                                   {"height", scene.film.height},
-                                   {"sampler", o.job.sampler},
-                                   {"samples", o.job.samples},
-                                   {"seed", o.job.seed},
-                                   {"radius", std::isinf(o.job.radius) ? nlohmann::json("inf") : nlohmann::json(o.job.radius)},
-                                   {"pixel_samples", o.position},
-                                   {"device", device},
-                                   {"rays", result.rays},
-                                   {"device_seconds", traced},
-                                   {"seconds", seconds_since(start)},
-                                   {"timings", to_json(timings)}};
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", report(o, scene, outcome, seconds, first_dispatch).dump(2));
   } else if (!o.quiet) {
-    fmt::print(stderr, "{}: {}x{}, {} samples of {} on {}, {:.2f} s in all\n", o.output, scene.film.width, scene.film.height,
-               o.job.samples, o.job.sampler, result.device, seconds_since(start));
+    fmt::print(stderr, "{}: {}x{}, {} samples of {} on {}, {:.2f} s in all\n", o.output, scene.film.width,
+               scene.film.height, o.job.samples, o.job.sampler, outcome.result.device, seconds);
   }
 }
 
@@ -122,30 +238,50 @@ void add_render_verb(CLI::App& app) {
   verb->footer(
       "Examples:\n"
       "  capcon render scenes/courtyard.pbrt --radius 2 --samples 64 -o courtyard.exr\n"
-      "  capcon render scene.pbrt --sampler sobol-owen --device reference -o reference.exr");
+      "  capcon render scene.pbrt --sampler sobol-owen --device reference -o reference.exr\n"
+      "  capcon render scene.pbrt --explain");
   verb->add_option("scene", o->scene, "Scene: .pbrt (v4, v3 or v2 text), .ply or .obj")->required();
-  verb->add_option("-o,--output", o->output, "Image to write: .exr (results) or .png (preview)")->required();
-  verb->add_option("--sampler", o->job.sampler, "Where sample points come from: random jittered sobol-xor sobol-owen ccvt capcon")
+  verb->add_option("-o,--output", o->output, "Image to write: .exr (results) or .png (preview)");
+  verb->add_option("--sampler", o->job.sampler,
+                   "Where sample points come from: random jittered sobol-xor sobol-owen ccvt capcon")
       ->capture_default_str();
-  verb->add_option("--samples", o->job.samples, "Occlusion rays a pixel")->capture_default_str()->check(CLI::Range(1u, 1u << 24));
-  verb->add_option("--seed", o->job.seed, "Seed of everything random; the same seed gives the same bits")->capture_default_str();
+  verb->add_option("--samples", o->job.samples, "Occlusion rays a pixel")
+      ->capture_default_str()
+      ->check(CLI::Range(1u, 1u << 24));
+  verb->add_option("--seed", o->job.seed, "Seed of everything random; the same seed gives the same bits")
+      ->capture_default_str();
   verb->add_option("--integrator", o->integrator, "ao: ambient occlusion, cosine-weighted")
       ->capture_default_str()
       ->check(CLI::IsMember({"ao"}));
-  verb->add_option("--radius", o->job.radius, "Occluders farther away than this do not count (scene units; default inf)")
+  verb->add_option("--radius", o->job.radius,
+                   "Occluders farther away than this do not count (scene units; default inf)")
       ->check(CLI::PositiveNumber);
-  verb->add_option("--pixel-samples", o->position, "centre: all samples at the pixel's centre; jittered: each at its own place")
+  verb->add_option("--pixel-samples", o->position,
+                   "centre: all samples at the pixel's centre; jittered: each at its own place")
       ->capture_default_str()
       ->check(CLI::IsMember({"centre", "jittered"}));
-  verb->add_option("--device", o->renderer.device,
-                   "best, lavapipe, a number or name of `capcon info`, or reference (double precision on the CPU)")
+  verb->add_option(
+          "--device", o->renderer.device,
+          "best, lavapipe, a number or name of `capcon info`, or reference (double precision on the CPU)")
       ->capture_default_str();
   verb->add_option("--width", o->width, "Image width, instead of the scene's");
   verb->add_option("--height", o->height, "Image height, instead of the scene's");
   verb->add_option("--fetch", o->renderer.fetch, "How kernels read data: auto, texel or storage")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "texel", "storage"}));
-  verb->add_flag("--validate", o->renderer.validate, "Load the Vulkan validation layer; any message is a failure");
+  verb->add_option("--instancing", o->renderer.instancing,
+                   "auto; flat: one tree over all instances; two-level: a tree of instances (less memory, "
+                   "slower rays)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "flat", "two-level"}));
+  verb->add_flag("--profile", o->profile, "Print where the time went, a row a stage");
+  verb->add_flag(
+      "--explain", o->explain,
+      "Print what was left out because the job does not need it, and what that saved (-o may be left out)");
+  verb->add_flag("--keep-everything", o->renderer.keep_everything,
+                 "Leave nothing out: the same image, slower");
+  verb->add_flag("--validate", o->renderer.validate,
+                 "Load the Vulkan validation layer; any message is a failure");
   verb->add_flag("--json", o->json, "Print what was done and how long each stage took as JSON on stdout");
   verb->add_flag("--quiet", o->quiet, "No progress bar, no messages");
   verb->callback([o] {

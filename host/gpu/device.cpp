@@ -42,9 +42,11 @@ Device::Device(const Instance&, const DeviceDescription& description) : descript
   VkPhysicalDeviceProperties properties;
   vkGetPhysicalDeviceProperties(physical, &properties);
   timestamp_seconds_ = 1e-9 * properties.limits.timestampPeriod;
+  pipeline_cache_ = std::make_unique<PipelineCache>(handle_, description_);
 }
 
 Device::~Device() {
+  pipeline_cache_.reset();
   vkDestroyCommandPool(handle_, command_pool_, nullptr);
   vkDestroyDevice(handle_, nullptr);
 }

@@ -2,9 +2,11 @@
 
 #include <vulkan/vulkan.h>
 
+#include <memory>
 #include <string>
 
 #include "gpu/instance.h"
+#include "gpu/pipeline_cache.h"
 
 namespace capcon::gpu {
 
@@ -19,6 +21,7 @@ class Device {
   VkDevice handle() const { return handle_; }
   VkQueue queue() const { return queue_; }
   VkCommandPool command_pool() const { return command_pool_; }
+  VkPipelineCache pipeline_cache() const { return pipeline_cache_->handle(); }
   const DeviceDescription& description() const { return description_; }
   bool is_cpu() const { return description_.kind == "cpu"; }
   double timestamp_seconds() const { return timestamp_seconds_; }
@@ -32,6 +35,7 @@ class Device {
   VkQueue queue_ = VK_NULL_HANDLE;
   VkCommandPool command_pool_ = VK_NULL_HANDLE;
   VkPhysicalDeviceMemoryProperties memory_{};
+  std::unique_ptr<PipelineCache> pipeline_cache_;
   double timestamp_seconds_ = 0;
 };
 

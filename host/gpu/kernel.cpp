@@ -78,7 +78,7 @@ VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, std::spa
   info.stage.pSpecializationInfo = &specialisation;
   info.layout = layout;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  const VkResult result = vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
+  const VkResult result = vkCreateComputePipelines(device.handle(), device.pipeline_cache(), 1, &info, nullptr, &pipeline);
   vkDestroyShaderModule(device.handle(), module, nullptr);
   check(result, "compile a kernel");
   return pipeline;

@@ -42,7 +42,8 @@ Image read_png(const std::filesystem::path& path) {
     throw InputError(fmt::format("{}: cannot be read as a PNG image: {}", path.string(), why));
   };
   int width = 0, height = 0, channels = 0;  // the header alone first: no memory is taken for a size we refuse
-  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) refuse("its header is broken or names a huge size");
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels))
+    refuse("its header is broken or names a huge size");
   if (width < 1 || height < 1 || height > kMaxPixels / width)
     refuse(fmt::format("{} x {} pixels are more than 2^26", width, height));
   const int wanted = channels <= 2 ? 1 : 3;

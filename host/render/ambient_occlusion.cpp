@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <chrono>
 
 #include "base/error.h"
@@ -11,15 +12,25 @@ namespace capcon {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
-glm::vec4 with_word(glm::dvec3 v, std::uint32_t w) { return {glm::vec3(v), std::bit_cast<float>(w)}; }
+glm::vec4 with_word(glm::dvec3 v, std::uint32_t w) {
+  return {glm::vec3(v), std::bit_cast<float>(w)};
+}
 
 /// One job under way.
 class Pass {
  public:
-  Pass(RendererState& state, const AmbientOcclusionJob& job, const std::function<void(double)>& on_progress)
-      : s_(state), job_(job), on_progress_(on_progress), pixels_(state.film.width * state.film.height) {}
+  Pass(RendererState& state, const AmbientOcclusionJob& job, int first_row, int rows,
+       const std::function<void(double)>& on_progress)
+      : s_(state), job_(job), on_progress_(on_progress) {
+    const auto width = static_cast<std::uint32_t>(state.film.width);
+    first_ = width * static_cast<std::uint32_t>(first_row);
+    pixels_ = width * static_cast<std::uint32_t>(rows);
+    result_.image = Image(state.film.width, rows, 1);
+  }
 
   RenderResult run() {
     auto start = Clock::now();
@@ -32,38 +43,47 @@ class Pass {
     primary_ = &s_.kernel("primary", jittered ? tables_.id : layout::kSamplerRandom, jittered);
     occlusion_ = &s_.kernel("occlusion", tables_.id, false);
     result_.timings.wall["compile"] = s_.kernels.take_compile_seconds();
-    start = Clock::now();
-    s_.counts.clear();
-    if (jittered) {
-      for (std::uint32_t i = 0; i < job_.samples; ++i) {
-        primary(i);
-        occlusion(i, 1);
-      }
-    } else {
-      primary(0);
-      occlusion(0, job_.samples);
+    result_.first_dispatch = Clock::now();
+    for (std::uint32_t done = 0; done < pixels_; done += band_pixels_) {
+      band_ = first_ + done;
+      band_pixels_ = static_cast<std::uint32_t>(std::min<std::size_t>(s_.band_pixels, pixels_ - done));
+      band(jittered);
+      resolve(done);
     }
-    result_.timings.wall["trace"] = seconds_since(start);
-    resolve();
     result_.rays = std::uint64_t(pixels_) * job_.samples;
     result_.device = s_.description.name;
     return std::move(result_);
   }
 
  private:
+  /// Pixels that the device can hold at a time.
+  void band(bool jittered) {
+    s_.counts.clear();
+    if (!jittered) {
+      primary(0);
+      occlusion(0, job_.samples);
+      return;
+    }
+    for (std::uint32_t i = 0; i < job_.samples; ++i) {
+      primary(i);
+      occlusion(i, 1);
+    }
+  }
+
   void primary(std::uint32_t sample_index) {
     layout::PrimaryConstants push{};
     push.tree = s_.tree;
     push.eye = with_word(s_.view.eye, static_cast<std::uint32_t>(s_.film.width));
-    push.across = with_word(s_.view.across, 0);
-    push.down = with_word(s_.view.down, 0);
+    push.across = with_word(s_.view.across, band_);
+    push.down = with_word(s_.view.down, job_.position == PixelPosition::jittered ? 1 : 0);
     push.words = words();
     push.seed = job_.seed;
     push.count = job_.samples;
     push.sample_index = sample_index;
-    for (std::uint64_t first = 0; first < pixels_; first += kBatchLanes) {
-      const auto batch = static_cast<std::uint32_t>(std::min<std::uint64_t>(kBatchLanes, pixels_ - first));
-      push.first_pixel = static_cast<std::uint32_t>(first);
+    for (std::uint64_t first = 0; first < band_pixels_; first += kBatchLanes) {
+      const auto batch =
+          static_cast<std::uint32_t>(std::min<std::uint64_t>(kBatchLanes, band_pixels_ - first));
+      push.first_pixel = band_ + static_cast<std::uint32_t>(first);
       push.corner = with_word(s_.view.corner, batch);
       submit(*primary_, &push, groups_for(batch), "primary");
     }
@@ -75,15 +95,16 @@ class Pass {
     push.words = words();
     push.seed = job_.seed;
     push.count = job_.samples;
+    push.band = band_;
     push.radius = static_cast<float>(std::min(job_.radius, 3e38));
     const std::uint32_t part = std::min<std::uint64_t>(samples, kBatchLanes);
     const auto batch_pixels = static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kBatchLanes / part));
     for (std::uint32_t from = 0; from < samples; from += part) {
       push.first_sample = first_sample + from;
       push.samples = std::min(part, samples - from);
-      for (std::uint32_t first = 0; first < pixels_; first += batch_pixels) {
-        push.first_pixel = first;
-        push.pixel_count = std::min(batch_pixels, pixels_ - first);
+      for (std::uint32_t first = 0; first < band_pixels_; first += batch_pixels) {
+        push.first_pixel = band_ + first;
+        push.pixel_count = std::min(batch_pixels, band_pixels_ - first);
         const std::uint32_t groups = groups_for(std::uint64_t(push.pixel_count) * push.samples);
         push.group_stride = spreading_stride(groups);
         submit(*occlusion_, &push, groups, "occlusion");
@@ -94,22 +115,24 @@ class Pass {
   }
 
   void submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups, const std::string& stage) {
+    const auto start = Clock::now();
     gpu::Commands commands(s_.device);
     commands.dispatch(kernel, push, groups, stage);
     commands.submit_and_wait();
     for (const auto& time : commands.times()) result_.timings.device[time.stage] += time.seconds;
+    result_.timings.wall[stage] += seconds_since(start);
   }
 
-  /// Counts become fractions: one division a pixel, on the host, from integers that no order of adding can change.
-  void resolve() {
+  /// Counts become fractions: one division a pixel, on the host, from integers that no order of adding can
+  /// change.
+  void resolve(std::uint32_t first) {
     const auto start = Clock::now();
-    std::vector<std::uint32_t> counts(pixels_);
+    std::vector<std::uint32_t> counts(band_pixels_);
     s_.counts.download(counts.data(), 4 * counts.size());
-    result_.image = Image(s_.film.width, s_.film.height, 1);
     for (std::size_t i = 0; i < counts.size(); ++i) {
-      result_.image.pixels[i] = static_cast<float>(static_cast<double>(counts[i]) / job_.samples);
+      result_.image.pixels[first + i] = static_cast<float>(static_cast<double>(counts[i]) / job_.samples);
     }
-    result_.timings.wall["resolve"] = seconds_since(start);
+    result_.timings.wall["resolve"] += seconds_since(start);
   }
 
   glm::uvec4 words() const {
@@ -119,7 +142,8 @@ class Pass {
   RendererState& s_;
   const AmbientOcclusionJob& job_;
   const std::function<void(double)>& on_progress_;
-  std::uint32_t pixels_;
+  std::uint32_t first_ = 0, pixels_ = 0;      // of the rows asked for
+  std::uint32_t band_ = 0, band_pixels_ = 0;  // of those on the device
   SamplerTables tables_;
   gpu::Kernel* primary_ = nullptr;
   gpu::Kernel* occlusion_ = nullptr;
@@ -129,11 +153,12 @@ class Pass {
 
 }  // namespace
 
-RenderResult render_ambient_occlusion(RendererState& state, const AmbientOcclusionJob& job,
-                                      const std::function<void(double)>& on_progress) {
+RenderResult render_ambient_occlusion(RendererState& state, const AmbientOcclusionJob& job, int first_row,
+                                      int rows, const std::function<void(double)>& on_progress) {
   if (job.samples == 0) throw InputError("the number of samples must be at least 1");
   if (!(job.radius > 0)) throw InputError("the occlusion radius must be above 0 (or inf)");
-  return Pass(state, job, on_progress).run();
+  assert(first_row >= 0 && rows > 0 && first_row + rows <= state.film.height);
+  return Pass(state, job, first_row, rows, on_progress).run();
 }
 
 }  // namespace capcon

@@ -7,9 +7,9 @@
 
 namespace capcon {
 
-/// Ambient occlusion on the device: a primary ray a pixel (or one a sample where samples are jittered), then one occlusion
-/// ray a sample, in batches of a fraction of a second.
-RenderResult render_ambient_occlusion(RendererState& state, const AmbientOcclusionJob& job,
-                                      const std::function<void(double)>& on_progress);
+/// Ambient occlusion on the device: a primary ray a pixel (or one a sample where samples are jittered), then
+/// one occlusion ray a sample, in batches of a fraction of a second. Only these rows of the image.
+RenderResult render_ambient_occlusion(RendererState& state, const AmbientOcclusionJob& job, int first_row,
+                                      int rows, const std::function<void(double)>& on_progress);
 
 }  // namespace capcon

@@ -10,8 +10,8 @@ constexpr std::uint64_t kBatchLanes = 1 << 19;
 /// Workgroups for so many lanes.
 std::uint32_t groups_for(std::uint64_t lanes);
 
-/// A stride that is coprime to the number of groups and near its golden section: a driver that hands each thread one
-/// contiguous piece of a dispatch then gives all of them the same mix of work.
+/// A stride that is coprime to the number of groups and near its golden section: a driver that hands each
+/// thread one contiguous piece of a dispatch then gives all of them the same mix of work.
 std::uint32_t spreading_stride(std::uint32_t groups);
 
 }  // namespace capcon

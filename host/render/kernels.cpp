@@ -34,48 +34,75 @@ const std::map<std::string, Description>& descriptions() {
       {"primary",
        {k_primary_texel_spirv,
         k_primary_storage_spirv,
-        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindSampler},
-        {kBindSurfaces},
+        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindInstances, kBindSampler, kBindDetails},
+        {kBindSurfaces, kBindShading},
         sizeof(PrimaryConstants)}},
       {"occlusion",
        {k_occlusion_texel_spirv,
         k_occlusion_storage_spirv,
-        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindSampler, kBindSurfaces},
+        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindInstances, kBindSampler, kBindSurfaces},
         {kBindCounts},
         sizeof(OcclusionConstants)}},
       {"rays",
        {k_rays_texel_spirv,
         k_rays_storage_spirv,
-        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindRays},
+        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindInstances, kBindRays},
         {kBindHits},
         sizeof(RayConstants)}},
-      {"points", {k_points_texel_spirv, k_points_storage_spirv, {kBindSampler}, {kBindPoints}, sizeof(OcclusionConstants)}}};
+      {"points",
+       {k_points_texel_spirv,
+        k_points_storage_spirv,
+        {kBindSampler},
+        {kBindPoints},
+        sizeof(OcclusionConstants)}}};
   return all;
 }
 
 }  // namespace
 
-std::unique_ptr<gpu::Kernel> Kernels::make(const std::string& name, const std::map<std::uint32_t, std::uint32_t>& constants) {
-  const auto start = Clock::now();
+Kernels::Kernels(const gpu::Device& device, bool texel_fetch)
+    : device_(device), texel_fetch_(texel_fetch), nothing_(device, 4096, gpu::Memory::device) {
+  nothing_.clear();
+}
+
+void Kernels::set_texel_fetch(bool texel_fetch) {
+  if (texel_fetch == texel_fetch_) return;
+  kernels_.clear();
+  texel_fetch_ = texel_fetch;
+}
+
+Kernels::Entry& Kernels::compiled(const std::string& name, const Constants& constants) {
+  Entry& entry = kernels_[{name, constants}];
+  if (!entry.kernel) {
+    const auto start = Clock::now();
+    auto kernel = make(name, constants);
+    warm_up(*kernel);
+    entry.kernel = std::move(kernel);
+    compile_seconds_ += Seconds(Clock::now() - start).count();
+  }
+  return entry;
+}
+
+std::unique_ptr<gpu::Kernel> Kernels::make(const std::string& name, const Constants& constants) {
   const Description& d = descriptions().at(name);
   std::map<std::uint32_t, gpu::Access> bindings;
-  for (const std::uint32_t b : d.data_bindings) bindings[b] = texel_fetch_ ? gpu::Access::texels : gpu::Access::storage;
+  for (const std::uint32_t b : d.data_bindings)
+    bindings[b] = texel_fetch_ ? gpu::Access::texels : gpu::Access::storage;
   for (const std::uint32_t b : d.storage_bindings) bindings[b] = gpu::Access::storage;
-  auto kernel =
-      std::make_unique<gpu::Kernel>(device_, texel_fetch_ ? d.texel : d.storage, bindings, constants, d.push_bytes);
-  compile_seconds_ += Seconds(Clock::now() - start).count();
-  return kernel;
+  return std::make_unique<gpu::Kernel>(device_, texel_fetch_ ? d.texel : d.storage, bindings, constants,
+                                       d.push_bytes);
 }
 
-void Kernels::warm_up(const gpu::Kernel& kernel) {
-  const auto start = Clock::now();
-  const std::vector<std::uint32_t> nothing(kernel.push_bytes() / 4);  // zero pixels, zero samples
+void Kernels::warm_up(gpu::Kernel& kernel) {
+  for (std::uint32_t binding = 0; binding < layout::kBindCount; ++binding) kernel.bind(binding, nothing_);
+  const std::vector<std::uint32_t> zeros(kernel.push_bytes() / 4);  // zero pixels, zero samples
   gpu::Commands commands(device_);
-  commands.dispatch(kernel, nothing.data(), 1, "warm up");
+  commands.dispatch(kernel, zeros.data(), 1, "warm up");
   commands.submit_and_wait();
-  compile_seconds_ += Seconds(Clock::now() - start).count();
 }
 
-double Kernels::take_compile_seconds() { return std::exchange(compile_seconds_, 0.0); }
+double Kernels::take_compile_seconds() {
+  return std::exchange(compile_seconds_, 0.0);
+}
 
 }  // namespace capcon

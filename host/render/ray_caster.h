@@ -14,7 +14,7 @@ namespace capcon {
 struct DeviceRay {
   glm::vec3 origin;
   float t_max = 3e38f;
-  glm::vec3 direction;  ///< unit length
+  glm::vec3 direction;               ///< unit length
   std::uint32_t skip = 0xffffffffu;  ///< a primitive that does not count, or none
 };
 
@@ -23,7 +23,8 @@ struct DeviceHit {
   std::uint32_t primitive;  ///< id as in Geometry, 0xffffffff: nothing was met
 };
 
-/// Given rays against a renderer's scene, for tests and the tracer's bench. Rays are uploaded once, cast as often as wanted.
+/// Given rays against a renderer's scene, for tests and the tracer's bench. Rays are uploaded once, cast as
+/// often as wanted.
 class RayCaster {
  public:
   RayCaster(RendererState& state, std::span<const DeviceRay> rays);

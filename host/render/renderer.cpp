@@ -12,19 +12,29 @@
 namespace capcon {
 
 Renderer::Renderer(const Scene& scene, const RendererOptions& options)
-    : state_(std::make_unique<RendererState>(scene, options)) {}
+    : Renderer(scene, options, open_device(options), nullptr) {}
+
+Renderer::Renderer(const Scene& scene, const RendererOptions& options, PendingDevice device,
+                   const AmbientOcclusionJob* first)
+    : state_(std::make_unique<RendererState>(scene, options, device.get(), first)) {}
 
 Renderer::~Renderer() = default;
 
-RenderResult Renderer::render(const AmbientOcclusionJob& job, const std::function<void(double)>& on_progress) {
-  RenderResult result = render_ambient_occlusion(*state_, job, on_progress);
-  if (state_->instance.message_count() > 0) {
-    throw Failure(fmt::format("the validation layer gave {} messages (above)", state_->instance.message_count()));
-  }
+RenderResult Renderer::render(const AmbientOcclusionJob& job,
+                              const std::function<void(double)>& on_progress) {
+  return render_rows(job, 0, state_->film.height, on_progress);
+}
+
+RenderResult Renderer::render_rows(const AmbientOcclusionJob& job, int first_row, int rows,
+                                   const std::function<void(double)>& on_progress) {
+  RenderResult result = render_ambient_occlusion(*state_, job, first_row, rows, on_progress);
+  const int messages = state_->context->instance.message_count();
+  if (messages > 0) throw Failure(fmt::format("the validation layer gave {} messages (above)", messages));
   return result;
 }
 
-std::vector<FixedPoint> Renderer::sample_points(const Sampler& sampler, std::uint32_t pixels, std::uint32_t dimension) {
+std::vector<FixedPoint> Renderer::sample_points(const Sampler& sampler, std::uint32_t pixels,
+                                                std::uint32_t dimension) {
   return read_sample_points(*state_, sampler, pixels, dimension);
 }
 
@@ -34,13 +44,17 @@ nlohmann::json Renderer::device_info() const {
           {"driver", d.driver},
           {"vulkan", d.api_version},
           {"kind", d.kind},
-          {"fetch", state_->texel_fetch ? "texel" : "storage"},
+          {"fetch", state_->kernels.texel_fetch() ? "texel" : "storage"},
           {"triangles", state_->triangle_count},
           {"quadrics", state_->quadric_count},
+          {"instances", state_->instance_count},
+          {"buffer_bytes", state_->buffer_bytes()},
           {"nodes", state_->node_count},
           {"stack_entries", state_->scene_constants.at(layout::kSpecStackSize)}};
 }
 
-const Timings& Renderer::setup() const { return state_->setup; }
+const Timings& Renderer::setup() const {
+  return state_->setup;
+}
 
 }  // namespace capcon

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "render/device_context.h"
 #include "sampling/sampler.h"
 #include "scene/job.h"
 #include "scene/scene.h"
@@ -13,33 +14,37 @@ namespace capcon {
 
 struct RendererState;
 
-struct RendererOptions {
-  /// "best", "lavapipe", a number as `capcon info` lists it, or part of a device's name.
-  std::string device = "best";
-  /// "auto" (image loads on CPU devices, storage buffers on others), "texel" or "storage".
-  std::string fetch = "auto";
-  bool validate = false;  ///< load the Khronos validation layer; its messages make the render fail
-};
-
-/// A scene on a Vulkan device, ready for many jobs. Building it uploads the scene; kernels are compiled on first use and
-/// that time is reported apart. Failure when there is no device or it is lost.
+/// A scene on a Vulkan device, ready for many jobs. Building it uploads the scene; kernels are compiled on
+/// first use and that time is reported apart. Failure when there is no device or it is lost.
 class Renderer {
  public:
   Renderer(const Scene& scene, const RendererOptions& options);
+  /// The same on a device that is being opened already. The kernels of `first`, the job to come, are compiled
+  /// while the tree is built.
+  Renderer(const Scene& scene, const RendererOptions& options, PendingDevice device,
+           const AmbientOcclusionJob* first);
   ~Renderer();
 
   /// `on_progress(fraction)` is called between batches. Same job, same device: same bits.
   RenderResult render(const AmbientOcclusionJob& job, const std::function<void(double)>& on_progress = {});
 
-  /// The device's own points of `sampler` for pixels 0 ... pixels - 1, `sampler.count()` each: for tests against the host's.
-  std::vector<FixedPoint> sample_points(const Sampler& sampler, std::uint32_t pixels, std::uint32_t dimension);
+  /// Rows first_row ... first_row + rows - 1 alone, the same bits as in the whole image: for images that are
+  /// written as they come. Any number of rows; the device holds at most 2^21 pixels at a time.
+  RenderResult render_rows(const AmbientOcclusionJob& job, int first_row, int rows,
+                           const std::function<void(double)>& on_progress = {});
+
+  /// The device's own points of `sampler` for pixels 0 ... pixels - 1, `sampler.count()` each: for tests
+  /// against the host's.
+  std::vector<FixedPoint> sample_points(const Sampler& sampler, std::uint32_t pixels,
+                                        std::uint32_t dimension);
 
   /// What the tracer's tests and bench work on (render/ray_caster.h).
   RendererState& state() { return *state_; }
 
   /// Name, driver, Vulkan version, fetch variant, as JSON for reports.
   nlohmann::json device_info() const;
-  /// Seconds spent in the constructor, by stage (build, upload).
+  /// Seconds spent in the constructor, by stage (device, build, upload); compiling beside them is told by the
+  /// first render.
   const Timings& setup() const;
 
  private:

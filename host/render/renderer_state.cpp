@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <future>
 
 #include "base/error.h"
 #include "render/geometry.h"
@@ -11,52 +13,111 @@ namespace capcon {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The stack's array takes what its free registers do not hold. A few sizes rather than every one: scenes
+/// share kernels in the driver's cache, and compiling can begin before the tree is there.
+std::uint32_t stack_array(std::uint32_t entries) {
+  constexpr std::uint32_t kRegisters = 7;
+  std::uint32_t size = 16;
+  while (size + kRegisters < entries) size *= 2;
+  return size;
+}
+
+/// Whether kernels can read all these buffers by texel or storage bindings on this device.
+bool fits(const gpu::DeviceDescription& device, std::size_t bytes, bool texels) {
+  return texels ? bytes / 16 <= device.max_texels : bytes <= device.max_storage_bytes;
+}
+
+/// The images of a scene, one after the other, for a buffer.
+std::vector<float> image_words(const Scene& scene) {
+  std::vector<float> words;
+  for (const SceneImage& image : scene.images)
+    words.insert(words.end(), image.image.pixels.begin(), image.image.pixels.end());
+  words.resize((words.size() + 3) / 4 * 4);
+  return words;
+}
 
 }  // namespace
 
-RendererState::RendererState(const Scene& scene, const RendererOptions& options)
-    : instance(options.validate),
-      description(instance.choose(options.device)),
-      device(instance, description),
-      texel_fetch(options.fetch == "texel" || (options.fetch == "auto" && device.is_cpu())),
-      kernels(device, texel_fetch),
+RendererState::RendererState(const Scene& scene, const RendererOptions& options,
+                             std::unique_ptr<DeviceContext> opened, const AmbientOcclusionJob* first)
+    : context(std::move(opened)),
+      description(context->description),
+      device(context->device),
+      kernels(context->kernels),
+      features(options.keep_everything ? all_features(scene, options.instancing)
+                                       : needed_features(scene, first, options.instancing)),
       film(scene.film),
       view(make_view(scene.camera, scene.film.width, scene.film.height)) {
-  if (options.fetch != "auto" && options.fetch != "texel" && options.fetch != "storage") {
-    throw InputError(fmt::format("--fetch {}: choose auto, texel or storage", options.fetch));
-  }
+  scene_constants[layout::kSpecQuadrics] = features.quadrics ? 1 : 0;
+  scene_constants[layout::kSpecInstances] = features.two_level ? 1 : 0;
+  scene_constants[layout::kSpecDetails] = features.details ? 1 : 0;
+  scene_constants[layout::kSpecStackSize] = stack_array(0);
+  setup.wall["device"] = context->open_seconds;
   auto start = Clock::now();
-  const Geometry geometry = build_geometry(scene);
+  std::future<void> compiling;
+  if (first) compiling = std::async(std::launch::async, [&] { compile_for(*first); });
+  // With everything kept the code of both levels is there, and the image stays the same: instances are
+  // written out as before.
+  Geometry geometry;
+  try {
+    geometry = build_geometry(
+        scene, {features.two_level, wants_two_levels(scene, options.instancing), features.details});
+  } catch (...) {
+    if (compiling.valid()) compiling.wait();
+    throw;
+  }
   setup.wall["build"] = seconds_since(start);
+  if (compiling.valid()) compiling.get();
   start = Clock::now();
+  scene_constants[layout::kSpecStackSize] = stack_array(geometry.bvh.stack_entries);
+  const std::size_t largest = std::max(geometry.bvh.texels.size(), geometry.primitives.size()) * 16;
+  if (options.fetch == "auto" && !fits(description, largest, kernels.texel_fetch())) {
+    kernels.set_texel_fetch(fits(description, largest, true));
+  }
+  upload(scene, geometry);
+  setup.wall["upload"] = seconds_since(start);
+}
+
+void RendererState::upload(const Scene& scene, const Geometry& geometry) {
   triangle_count = geometry.triangle_count;
   quadric_count = geometry.quadric_count;
+  instance_count = geometry.instance_count();
   node_count = geometry.bvh.node_count();
   nodes = gpu::make_buffer<glm::uvec4>(device, geometry.bvh.texels);
   primitives = gpu::make_buffer<glm::uvec4>(device, geometry.primitives);
   quadrics = gpu::make_buffer<glm::uvec4>(device, geometry.quadrics);
-  const std::size_t pixels = std::size_t(film.width) * film.height;
-  surfaces = gpu::Buffer(device, 32 * pixels, gpu::Memory::device);
-  counts = gpu::Buffer(device, 4 * pixels, gpu::Memory::host);
+  instances = gpu::make_buffer<glm::uvec4>(device, geometry.instances);
+  details = gpu::make_buffer<glm::uvec4>(device, geometry.details);
+  images = gpu::make_buffer<float>(device, features.images ? image_words(scene) : std::vector<float>());
+  band_pixels = std::min(kBandPixels, std::size_t(film.width) * film.height);
+  surfaces = gpu::Buffer(device, 32 * band_pixels, gpu::Memory::device);
+  shading = gpu::Buffer(device, features.details ? 32 * band_pixels : 16, gpu::Memory::device);
+  counts = gpu::Buffer(device, 4 * band_pixels, gpu::Memory::host);
   sampler_table = gpu::Buffer(device, 16, gpu::Memory::device);
-  setup.wall["upload"] = seconds_since(start);
   tree.grid_origin = glm::vec4(glm::vec3(geometry.bvh.grid_origin), 0);
   tree.grid_scale = glm::vec4(glm::vec3(geometry.bvh.grid_scale), 0);
-  // The stack's array takes what its seven free registers do not hold; a few sizes rather than every one, so that scenes share
-  // kernels in the driver's cache.
-  constexpr std::uint32_t kRegisters = 7;
-  const std::uint32_t entries = geometry.bvh.stack_entries;
-  scene_constants[layout::kSpecStackSize] = entries > kRegisters ? (entries - kRegisters + 3) / 4 * 4 : 1;
-  scene_constants[layout::kSpecQuadrics] = quadric_count > 0 ? 1 : 0;
+}
+
+void RendererState::compile_for(const AmbientOcclusionJob& job) {
+  const bool jittered = job.position == PixelPosition::jittered;
+  const std::uint32_t sampler = make_sampler(job.sampler, 1, 1)->tables().id;
+  kernels.prepare("primary", constants(jittered ? sampler : layout::kSamplerRandom, jittered));
+  kernels.prepare("occlusion", constants(sampler, false));
 }
 
 void RendererState::bind_all(gpu::Kernel& kernel) const {
   kernel.bind(layout::kBindNodes, nodes);
   kernel.bind(layout::kBindPrimitives, primitives);
   kernel.bind(layout::kBindQuadrics, quadrics);
+  kernel.bind(layout::kBindInstances, instances);
+  kernel.bind(layout::kBindDetails, details);
   kernel.bind(layout::kBindSampler, sampler_table);
   kernel.bind(layout::kBindSurfaces, surfaces);
+  kernel.bind(layout::kBindShading, shading);
   kernel.bind(layout::kBindCounts, counts);
   kernel.bind(layout::kBindPoints, counts);  // until its reader binds its own
 }
@@ -70,14 +131,31 @@ void RendererState::set_sampler(const SamplerTables& tables) {
   sampler_table.upload(tables.texels.data(), bytes);
 }
 
+Constants RendererState::constants(std::uint32_t sampler_id, bool jittered) const {
+  Constants all = scene_constants;
+  all[layout::kSpecSampler] = sampler_id;
+  all[layout::kSpecJittered] = jittered || features.jittered ? 1 : 0;
+  return all;
+}
+
 gpu::Kernel& RendererState::kernel(const std::string& name, std::uint32_t sampler_id, bool jittered) {
-  auto constants = scene_constants;
-  constants[layout::kSpecSampler] = sampler_id;
-  constants[layout::kSpecJittered] = jittered ? 1 : 0;
-  return kernels.get(name, constants, [&](gpu::Kernel& kernel) {
+  return kernels.get(name, constants(sampler_id, name == "primary" && jittered), [&](gpu::Kernel& kernel) {
     bind_all(kernel);
     bound_.push_back(&kernel);
   });
+}
+
+std::map<std::string, std::size_t> RendererState::buffer_bytes() const {
+  return {{"nodes", nodes.bytes()},
+          {"primitives", primitives.bytes()},
+          {"spheres and disks", quadrics.bytes()},
+          {"instances", instances.bytes()},
+          {"details", details.bytes()},
+          {"images", images.bytes()},
+          {"surfaces", surfaces.bytes()},
+          {"shading", shading.bytes()},
+          {"counts", counts.bytes()},
+          {"sampler", sampler_table.bytes()}};
 }
 
 }  // namespace capcon

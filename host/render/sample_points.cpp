@@ -17,7 +17,8 @@ std::vector<FixedPoint> read_sample_points(RendererState& state, const Sampler& 
   push.pixel_count = pixels;
   push.samples = dimension;
   gpu::Commands commands(state.device);
-  const auto groups = static_cast<std::uint32_t>((points.size() + layout::kGroupSize - 1) / layout::kGroupSize);
+  const auto groups =
+      static_cast<std::uint32_t>((points.size() + layout::kGroupSize - 1) / layout::kGroupSize);
   commands.dispatch(kernel, &push, groups, "points");
   commands.submit_and_wait();
   output.download(points.data(), points.size() * sizeof(FixedPoint));

@@ -6,7 +6,8 @@
 namespace capcon {
 
 View make_view(const Camera& camera, int width, int height) {
-  const double aspect = camera.frame_aspect_ratio > 0 ? camera.frame_aspect_ratio : static_cast<double>(width) / height;
+  const double aspect =
+      camera.frame_aspect_ratio > 0 ? camera.frame_aspect_ratio : static_cast<double>(width) / height;
   auto [x_min, x_max, y_min, y_max] = camera.screen;
   if (x_min == x_max) {
     x_max = std::max(aspect, 1.0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -41,6 +42,8 @@ struct RenderResult {
   Timings timings;
   std::uint64_t rays = 0;  ///< occlusion rays traced
   std::string device;      ///< the device's own name, or "reference"
+  /// When the first kernel that traces was handed to the device; the clock's zero where there is none.
+  std::chrono::steady_clock::time_point first_dispatch{};
 };
 
 }  // namespace capcon

@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "scene/pbrt_directives.h"
 #include "scene/pbrt_parameters.h"
+#include "scene/scene_images.h"
 #include "scene/suggestion.h"
 
 namespace capcon {
@@ -145,6 +146,7 @@ void finish(PbrtContext& context, const Tokenizer& tokens) {
   }
   settle_missing_materials(context);
   context.files.load(context.scene.meshes, context.options);
+  if (context.options.images) read_scene_images(context);
   const bool empty = context.scene.shapes.empty() && context.scene.instances.empty();
   if (empty) context.warn({tokens.file()}, "the scene has no shapes");
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "image/image.h"
 
 namespace capcon {
 
@@ -49,6 +50,7 @@ struct Entity {
   glm::dmat4 to_world{1};  ///< the current transform at the directive (lights)
   SourcePlace place;
   std::string values;  ///< of a texture: "float" or "spectrum", which pbrt names apart; else empty
+  int image = -1;      ///< of an image texture or environment light: index into Scene::images, -1 for none
 };
 
 enum class ShapeKind : std::uint8_t { mesh, sphere, disk };
@@ -93,6 +95,12 @@ struct Film {
   std::string filename;
 };
 
+/// The pixels of a texture or an environment map.
+struct SceneImage {
+  std::string file;
+  Image image;
+};
+
 /// One flat scene: what a scene file says, with all files it names read, transforms applied down to objects.
 struct Scene {
   std::string name;  ///< file name without folder and extension
@@ -108,6 +116,7 @@ struct Scene {
   std::vector<Entity> lights;
   std::vector<Entity> area_lights;
   std::vector<Entity> textures;
+  std::vector<SceneImage> images;  ///< read only if ReadOptions asks for them, each file once
   std::vector<std::string> warnings;  ///< one sentence each, each thing once
 
   /// Triangles of all shapes (hidden ones too), those of an object once; spheres and disks have none.
@@ -120,6 +129,7 @@ struct Scene {
 struct ReadOptions {
   bool normals = false;
   bool uvs = false;
+  bool images = false;  ///< the pixels of image textures and environment maps (EXR, PNG)
 };
 
 /// Reads .pbrt (v4 names; v2/v3 accepted), .ply or .obj by its extension. A bare mesh gets a camera that sees

@@ -9,16 +9,16 @@ DATA_TEXELS(kBindPrimitives, primitive_texels);
 #include "tracing/ray.glsl"
 #include "tracing/triangle.glsl"
 #include "tracing/quadric.glsl"
-
+#include "tracing/instances.glsl"
 #include "tracing/stack.glsl"
 
 struct Hit {
   float t;
-  uint slot;  // of the primitive in leaf order; kNoPrimitive: nothing was met
+  uint slot;      // of the primitive in leaf order; kNoPrimitive: nothing was met
+  uint instance;  // its slot, where there are two levels
   vec3 weights;
 };
 
-const uint kNoNode = 0xffffffffu;
 const float kFarther = 1.0000012;  // the far planes' share of the rounding of (plane - origin) * inverse
 
 vec4 later(vec4 a, vec4 b) { return mix(b, a, greaterThan(a, b)); }
@@ -39,22 +39,28 @@ vec4 meet_primitive(Ray ray, RayFrame frame, uint slot, out uint id) {
   return met;
 }
 
-// Groups of siblings that wait, unsorted: first sibling << 4 | the slots that are left.
+// The id of what was hit, counted over all instances.
+uint hit_id(Hit hit) {
+  if (hit.slot == kNoPrimitive) return kNoPrimitive;
+  uint id = FETCH(primitive_texels, hit.slot * 3u).w;
+  if (kInstances != 0u) id += FETCH(instance_texels, hit.instance * 8u + 4u).w;
+  return id;
+}
+
+// Groups of siblings that wait, unsorted: first sibling << 4 | the slots that are left. The sentinel has none.
+const uint kMaskSentinel = 1u << 4u;
 uint mask_rest(uint group) { return group & (group - 1u); }  // of a group with slots left
 uint mask_node(uint group) {
   uint lowest = group & (0u - group) & 15u;
-  return group == 0u ? kNoNode : (group >> 4u) + (lowest >> 1u) - (lowest >> 3u);
+  return lowest == 0u ? ~(group >> 4u) : (group >> 4u) + (lowest >> 1u) - (lowest >> 3u);
 }
 
 // Whether a ray that starts within the scene's bounds meets anything. Which child comes first hardly matters here, so that
 // nothing is sorted.
 bool occluded(Ray ray, TreeConstants tree, bool live) {
-  vec3 origin = (ray.origin - tree.grid_origin.xyz) * tree.grid_scale.xyz;
-  vec3 direction = ray.direction * tree.grid_scale.xyz;
-  vec3 magnitude = max(abs(direction), vec3(1e-18));  // keeps inverse * 65536 finite, and no 0 * infinity
-  vec3 inverse = mix(1.0 / magnitude, -1.0 / magnitude, lessThan(direction, vec3(0.0)));
-  RayFrame frame = ray_frame(ray.direction);
-  float t_max = live ? ray.t_max : -1.0;  // a lane without a ray leaves the root at once
+  ray.t_max = live ? ray.t_max : -1.0;  // a lane without a ray leaves the root at once
+  Place place = world_place(ray, tree, true);
+  Levels levels = Levels(0u, 0u, kNoNode);
   bool hit = false;
   STACK
   uint node = 0u;
@@ -67,14 +73,15 @@ bool occluded(Ray ray, TreeConstants tree, bool live) {
       uvec4 y = FETCH(node_texels, at + 1u);
       uvec4 z = FETCH(node_texels, at + 2u);
       uvec4 links = FETCH(node_texels, at + 3u);
-      vec4 x0 = (vec4(ivec4(x & 0xffffu)) - origin.x) * inverse.x;
-      vec4 x1 = (vec4(ivec4(x >> 16u)) - origin.x) * inverse.x;
-      vec4 y0 = (vec4(ivec4(y & 0xffffu)) - origin.y) * inverse.y;
-      vec4 y1 = (vec4(ivec4(y >> 16u)) - origin.y) * inverse.y;
-      vec4 z0 = (vec4(ivec4(z & 0xffffu)) - origin.z) * inverse.z;
-      vec4 z1 = (vec4(ivec4(z >> 16u)) - origin.z) * inverse.z;
+      vec4 x0 = (vec4(ivec4(x & 0xffffu)) - place.grid.near.x) * place.grid.inverse.x;
+      vec4 x1 = (vec4(ivec4(x >> 16u)) - place.grid.far.x) * place.grid.inverse.x;
+      vec4 y0 = (vec4(ivec4(y & 0xffffu)) - place.grid.near.y) * place.grid.inverse.y;
+      vec4 y1 = (vec4(ivec4(y >> 16u)) - place.grid.far.y) * place.grid.inverse.y;
+      vec4 z0 = (vec4(ivec4(z & 0xffffu)) - place.grid.near.z) * place.grid.inverse.z;
+      vec4 z1 = (vec4(ivec4(z >> 16u)) - place.grid.far.z) * place.grid.inverse.z;
       vec4 enter = later(later(sooner(x0, x1), sooner(y0, y1)), later(sooner(z0, z1), vec4(0.0)));
-      vec4 leave = sooner(sooner(later(x0, x1), later(y0, y1)), sooner(later(z0, z1), vec4(t_max)));
+      vec4 leave = sooner(sooner(later(x0, x1), later(y0, y1)), sooner(later(z0, z1), vec4(place.ray.t_max)));
+      if (kInstances != 0u) leave *= kFarther;
       bvec4 met = lessThanEqual(enter, leave);
       uint leaf = (met.x ? links.z & 0xffffu : 0u) | (met.y ? links.z >> 16u : 0u) |
                   (met.z ? links.w & 0xffffu : 0u) | (met.w ? links.w >> 16u : 0u);
@@ -90,15 +97,16 @@ bool occluded(Ray ray, TreeConstants tree, bool live) {
       s0 = pop && more ? rest : s0;
       STACK_MOVE(push, drop, rest)
       node = mask_node(group);
-    } while (node != kNoNode && mask == 0u && !STACK_FULL);
+    } while (is_node(node) && mask == 0u && !STACK_FULL);
+    if (kInstances != 0u) take_instances(levels, place, first, mask);
     do {
       bool testing = mask != 0u;
       uint bit = testing ? uint(findLSB(mask)) : 0u;
       mask &= mask - 1u;
       uint slot = first + bit;
       uint id;
-      vec4 met = meet_primitive(ray, frame, slot, id);
-      bool nearer = testing && met.x > 0.0 && met.x < t_max && id != ray.skip;
+      vec4 met = meet_primitive(place.ray, place.frame, slot, id);
+      bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && id + place.first_id != ray.skip;
       hit = hit || nearer;
       mask = nearer ? 0u : mask;
     } while (mask != 0u);
@@ -109,24 +117,29 @@ bool occluded(Ray ray, TreeConstants tree, bool live) {
     uint rest = mask_rest(group);
     s0 = refill && (rest & 15u) != 0u ? rest : s0;
     node = refill ? mask_node(group) : node;
+    if (kInstances != 0u) {
+      bool push = switch_level(levels, place, node, ray, tree);
+      STACK_MOVE(push, false, kMaskSentinel)
+    }
     node = hit ? kNoNode : node;
   } while (node != kNoNode);
   return hit;
 }
 
-// Groups sorted by distance: first sibling << 8 | three 2-bit slots, nearest lowest | count.
+// Groups sorted by distance: first sibling << 8 | three 2-bit slots, nearest lowest | count. The sentinel counts none.
+const uint kListSentinel = 1u << 8u;
 uint list_rest(uint group) {
   uint left = group & 3u;
   return left <= 1u ? 0u : (group & 0xffffff00u) | ((group & 0xf0u) >> 2u) | (left - 1u);
 }
-uint list_node(uint group) { return (group & 3u) == 0u ? kNoNode : (group >> 8u) + ((group >> 2u) & 3u); }
+uint list_node(uint group) { return (group & 3u) == 0u ? ~(group >> 8u) : (group >> 8u) + ((group >> 2u) & 3u); }
 
 // The nearest primitive that a ray from anywhere meets.
 Hit closest(Ray ray, TreeConstants tree, bool live) {
-  GridRay g = to_grid(ray, tree);
-  RayFrame frame = ray_frame(ray.direction);
-  Hit hit = Hit(live ? ray.t_max : -1.0,  // a lane without a ray leaves the root at once
-                 kNoPrimitive, vec3(0.0));
+  ray.t_max = live ? ray.t_max : -1.0;  // a lane without a ray leaves the root at once; the reach from here on
+  Place place = world_place(ray, tree, false);
+  Levels levels = Levels(0u, 0u, kNoNode);
+  Hit hit = Hit(ray.t_max, kNoPrimitive, 0u, vec3(0.0));
   STACK
   uint node = 0u;
   uint first = 0u;
@@ -138,14 +151,14 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
       uvec4 y = FETCH(node_texels, at + 1u);
       uvec4 z = FETCH(node_texels, at + 2u);
       uvec4 links = FETCH(node_texels, at + 3u);
-      vec4 near_x = (vec4((x >> g.shift.x) & 0xffffu) - g.near.x) * g.inverse.x;
-      vec4 far_x = (vec4((x >> (16u - g.shift.x)) & 0xffffu) - g.far.x) * g.inverse.x;
-      vec4 near_y = (vec4((y >> g.shift.y) & 0xffffu) - g.near.y) * g.inverse.y;
-      vec4 far_y = (vec4((y >> (16u - g.shift.y)) & 0xffffu) - g.far.y) * g.inverse.y;
-      vec4 near_z = (vec4((z >> g.shift.z) & 0xffffu) - g.near.z) * g.inverse.z;
-      vec4 far_z = (vec4((z >> (16u - g.shift.z)) & 0xffffu) - g.far.z) * g.inverse.z;
-      vec4 enter = later(later(near_x, near_y), later(near_z, vec4(0.0)));
-      vec4 leave = sooner(sooner(far_x, far_y), sooner(far_z, vec4(hit.t))) * kFarther;
+      vec4 x0 = (vec4(ivec4(x & 0xffffu)) - place.grid.near.x) * place.grid.inverse.x;
+      vec4 x1 = (vec4(ivec4(x >> 16u)) - place.grid.far.x) * place.grid.inverse.x;
+      vec4 y0 = (vec4(ivec4(y & 0xffffu)) - place.grid.near.y) * place.grid.inverse.y;
+      vec4 y1 = (vec4(ivec4(y >> 16u)) - place.grid.far.y) * place.grid.inverse.y;
+      vec4 z0 = (vec4(ivec4(z & 0xffffu)) - place.grid.near.z) * place.grid.inverse.z;
+      vec4 z1 = (vec4(ivec4(z >> 16u)) - place.grid.far.z) * place.grid.inverse.z;
+      vec4 enter = later(later(sooner(x0, x1), sooner(y0, y1)), later(sooner(z0, z1), vec4(0.0)));
+      vec4 leave = sooner(sooner(later(x0, x1), later(y0, y1)), sooner(later(z0, z1), vec4(place.ray.t_max))) * kFarther;
       bvec4 met = lessThanEqual(enter, leave);
 
       // Leaves at once into the mask of primitives to test.
@@ -182,17 +195,22 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
       s0 = pop ? list_rest(top) : top;
       STACK_MOVE(push, drop, siblings)
       node = pop ? list_node(top) : base + (uint(k0) & 3u);
-    } while (node != kNoNode && mask == 0u && !STACK_FULL);
+    } while (is_node(node) && mask == 0u && !STACK_FULL);
+    if (kInstances != 0u) take_instances(levels, place, first, mask);
     do {
       bool testing = mask != 0u;
       uint bit = testing ? uint(findLSB(mask)) : 0u;
       mask &= mask - 1u;
       uint slot = first + bit;
       uint id;
-      vec4 met = meet_primitive(ray, frame, slot, id);
-      bool nearer = testing && met.x > 0.0 && met.x < hit.t && id != ray.skip;
-      hit.t = nearer ? met.x : hit.t;
+      vec4 met = meet_primitive(place.ray, place.frame, slot, id);
+      bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && id + place.first_id != ray.skip;
+      place.ray.t_max = nearer ? met.x : place.ray.t_max;
       hit.slot = nearer ? slot : hit.slot;
+      if (kInstances != 0u) {
+        hit.t = nearer ? met.x / place.scale : hit.t;
+        hit.instance = nearer ? place.instance : hit.instance;
+      }
       hit.weights = nearer ? met.yzw : hit.weights;
     } while (mask != 0u);
     STACK_SPILL
@@ -201,6 +219,13 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
     uint group = refill ? waiting[waiting_count] : 0u;
     s0 = refill ? list_rest(group) : s0;
     node = refill ? list_node(group) : node;
+    if (kInstances != 0u) {
+      Ray world = ray;
+      world.t_max = hit.t;
+      bool push = switch_level(levels, place, node, world, tree);
+      STACK_MOVE(push, false, kListSentinel)
+    }
   } while (node != kNoNode);
+  if (kInstances == 0u) hit.t = place.ray.t_max;
   return hit;
 }

@@ -55,7 +55,7 @@ TEST(Verbs, RenderReportsItsStages) {
   ASSERT_EQ(render.exit_code, 0) << render.err;
   const json report = json::parse(render.out);
   EXPECT_EQ(report.at("rays"), 32 * 24 * 4);
-  for (const char* stage : {"read", "build", "upload", "compile", "points", "trace", "resolve", "write"}) {
+  for (const char* stage : {"read", "build", "upload", "compile", "points", "occlusion", "resolve", "write"}) {
     EXPECT_GE(report.at("timings").at("wall").at(stage).get<double>(), 0) << stage;
   }
   for (const char* stage : {"primary", "occlusion"}) EXPECT_GT(report.at("timings").at("device").at(stage).get<double>(), 0) << stage;

@@ -12,7 +12,9 @@
 namespace capcon {
 namespace {
 
-RendererOptions lavapipe(const char* fetch = "auto") { return {"lavapipe", fetch, true}; }
+RendererOptions lavapipe(const char* fetch = "auto") {
+  return {.device = "lavapipe", .fetch = fetch, .validate = true};
+}
 
 AmbientOcclusionJob job(const std::string& sampler, std::uint32_t samples, double radius) {
   AmbientOcclusionJob j;
@@ -22,8 +24,8 @@ AmbientOcclusionJob job(const std::string& sampler, std::uint32_t samples, doubl
   return j;
 }
 
-/// Same points: the images agree but where a ray grazes an edge. There one occlusion ray decides 1 / samples of a pixel, and
-/// one primary ray (a silhouette through a pixel's centre) all of it.
+/// Same points: the images agree but where a ray grazes an edge. There one occlusion ray decides 1 / samples
+/// of a pixel, and one primary ray (a silhouette through a pixel's centre) all of it.
 void expect_agreement(const Scene& scene, const AmbientOcclusionJob& j) {
   Renderer renderer(scene, lavapipe());
   const RenderResult device = renderer.render(j);
@@ -66,7 +68,8 @@ TEST(AmbientOcclusion, FetchVariantsGiveTheSameBits) {
   for (const Scene& scene : {testing::random_soup(500, 4), testing::round_things()}) {
     Renderer texel(scene, lavapipe("texel")), storage(scene, lavapipe("storage"));
     for (const char* sampler : {"sobol-owen", "capcon"}) {
-      EXPECT_EQ(texel.render(job(sampler, 16, 1)).image.pixels, storage.render(job(sampler, 16, 1)).image.pixels);
+      EXPECT_EQ(texel.render(job(sampler, 16, 1)).image.pixels,
+                storage.render(job(sampler, 16, 1)).image.pixels);
     }
   }
 }
@@ -96,7 +99,8 @@ TEST(AmbientOcclusion, ManySamplesAreCutIntoBatches) {
   }
 }
 
-// A floor below a parallel disk: visible = 1 - R^2 / (R^2 + h^2) under its centre (the form factor of a disk).
+// A floor below a parallel disk: visible = 1 - R^2 / (R^2 + h^2) under its centre (the form factor of a
+// disk).
 TEST(AmbientOcclusion, ConvergesToTheClosedFormOfADisk) {
   Scene scene;
   scene.name = "disk";
@@ -117,7 +121,8 @@ TEST(AmbientOcclusion, ConvergesToTheClosedFormOfADisk) {
   const auto infinite = std::numeric_limits<double>::infinity();
   EXPECT_NEAR(renderer.render(job("sobol-owen", 1 << 16, infinite)).image.pixels[0], expected, 5e-5);
   EXPECT_NEAR(renderer.render(job("capcon", 1 << 14, infinite)).image.pixels[0], expected, 5e-4);
-  EXPECT_EQ(renderer.render(job("sobol-owen", 64, 3.9)).image.pixels[0], 1.0f) << "the disk lies beyond the radius";
+  EXPECT_EQ(renderer.render(job("sobol-owen", 64, 3.9)).image.pixels[0], 1.0f)
+      << "the disk lies beyond the radius";
 }
 
 TEST(AmbientOcclusion, NothingToRenderIsAnInputError) {
@@ -129,7 +134,7 @@ TEST(AmbientOcclusion, NothingToRenderIsAnInputError) {
   EXPECT_THROW(renderer.render(job("capcon", 0, 1)), InputError);
   EXPECT_THROW(renderer.render(job("capcon", 4, 0)), InputError);
   EXPECT_THROW(renderer.render(job("capcon", 4, std::nan(""))), InputError);
-  EXPECT_THROW(Renderer(scene, {"no such device", "auto", false}), InputError);
+  EXPECT_THROW(Renderer(scene, {.device = "no such device"}), InputError);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 TEST(SamplePoints, DeviceAndHostAgreeToTheBit) {
   const Scene scene = testing::random_soup(3, 1, 4, 4);
   for (const char* fetch : {"texel", "storage"}) {
-    Renderer renderer(scene, {"lavapipe", fetch, true});
+    Renderer renderer(scene, {.device = "lavapipe", .fetch = fetch, .validate = true});
     for (const std::string& name : sampler_names()) {
       for (std::uint32_t count : {1u, 2u, 7u, 12u, 16u, 17u, 32u, 50u, 64u, 100u, 128u, 2400u}) {
         if (name == "ccvt" && count > 128) continue;
@@ -24,7 +24,8 @@ TEST(SamplePoints, DeviceAndHostAgreeToTheBit) {
               if (points[std::size_t(pixel) * count + i] != sampler->sample(pixel, i, dimension)) ++different;
             }
           }
-          EXPECT_EQ(different, 0u) << fetch << " " << name << " count " << count << " dimension " << dimension;
+          EXPECT_EQ(different, 0u) << fetch << " " << name << " count " << count << " dimension "
+                                   << dimension;
         }
       }
     }

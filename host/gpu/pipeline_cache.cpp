@@ -1,0 +1,77 @@
+#include "gpu/pipeline_cache.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <exception>
+#include <string>
+
+#include "base/file.h"
+#include "base/hash.h"
+#include "gpu/check.h"
+
+namespace capcon::gpu {
+namespace {
+
+// Vulkan checks vendor, device and cache UUID in the data's own header, but not that the rest is whole: that
+// is what the checksum in front is for.
+constexpr std::string_view kMagic = "capcon pipelines 1 ";
+
+std::string sealed(const std::string& data) {
+  return fmt::format("{}{:016x}\n{}", kMagic, fnv1a64(data), data);
+}
+
+std::string opened(const std::string& bytes) {
+  const std::size_t head = kMagic.size() + 17;
+  if (bytes.size() < head) return {};
+  std::string data = bytes.substr(head);
+  return sealed(data) == bytes ? data : std::string();
+}
+
+}  // namespace
+
+std::filesystem::path cache_folder() {
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  if (cache && *cache) return std::filesystem::path(cache) / "capcon";
+  const char* home = std::getenv("HOME");
+  if (home && *home) return std::filesystem::path(home) / ".cache" / "capcon";
+  return {};
+}
+
+PipelineCache::PipelineCache(VkDevice device, const DeviceDescription& description) : device_(device) {
+  const std::filesystem::path folder = cache_folder();
+  if (!folder.empty()) {
+    path_ =
+        folder / fmt::format("pipelines-{:016x}.bin", fnv1a64(description.name + "\n" + description.driver));
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path_, error)) {
+      try {
+        loaded_ = opened(read_file(path_));
+      } catch (const std::exception&) {
+      }
+    }
+  }
+  VkPipelineCacheCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
+  info.initialDataSize = loaded_.size();
+  info.pInitialData = loaded_.data();
+  check(vkCreatePipelineCache(device, &info, nullptr, &handle_), "create a pipeline cache");
+}
+
+PipelineCache::~PipelineCache() {
+  std::size_t bytes = 0;
+  if (!path_.empty() && vkGetPipelineCacheData(device_, handle_, &bytes, nullptr) == VK_SUCCESS &&
+      bytes > 0) {
+    std::string data(bytes, '\0');
+    try {
+      if (vkGetPipelineCacheData(device_, handle_, &bytes, data.data()) == VK_SUCCESS && data != loaded_) {
+        std::filesystem::create_directories(path_.parent_path());
+        write_file(path_, sealed(data));
+      }
+    } catch (const std::exception&) {
+    }
+  }
+  vkDestroyPipelineCache(device_, handle_, nullptr);
+}
+
+}  // namespace capcon::gpu

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "scene/job.h"
+#include "scene/scene.h"
+
+namespace capcon {
+
+/// What a job needs of a scene, derived once. It decides what is read from disk, which buffers there are, and
+/// what is compiled into the kernels; what is false costs nothing. With everything kept the image is the
+/// same, bit by bit.
+struct Features {
+  bool quadrics = false;   ///< spheres and disks: their test in every walk
+  bool two_level = false;  ///< a tree of instances above the objects' trees
+  bool jittered = false;   ///< image samples from the sampler, in the primary kernel
+  bool details =
+      false;  ///< normals, uvs and materials: a buffer by primitive, one by pixel, and what fills it
+  bool images = false;  ///< the pixels of textures and environment maps
+};
+
+/// What ambient occlusion needs of this scene. `instancing` as in RendererOptions.
+Features needed_features(const Scene& scene, const AmbientOcclusionJob* job, const std::string& instancing);
+
+/// The same with nothing left out.
+Features all_features(const Scene& scene, const std::string& instancing);
+
+/// What must be read for a job. Ambient occlusion needs neither normals nor uvs nor images.
+ReadOptions needed_reading(bool keep_everything);
+
+/// Whether the tree is to have two levels: "flat" and "two-level" say it; "auto" builds one tree over all
+/// instances while that is small or saves little, because one tree is walked faster (docs/tracer.md has the
+/// figures).
+bool wants_two_levels(const Scene& scene, const std::string& instancing);
+
+}  // namespace capcon

@@ -1,0 +1,158 @@
+#include "render/geometry_tree.h"
+
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "base/parallel.h"
+#include "layout.h"
+
+namespace capcon {
+namespace {
+
+glm::uvec4 bits(glm::vec3 p, std::uint32_t w) {
+  return {std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y),
+          std::bit_cast<std::uint32_t>(p.z), w};
+}
+
+/// World-to-unit-shape and its inverse: the radius and a disk's height are part of the matrix.
+void add_quadric(const Placed& placed, std::vector<glm::uvec4>& quadrics, Box& box) {
+  const Shape& shape = *placed.shape;
+  const bool disk = shape.kind == ShapeKind::disk;
+  glm::dmat4 unit(1);
+  unit[0][0] = unit[1][1] = unit[2][2] = shape.radius;
+  if (disk) unit[3][2] = shape.height;
+  const glm::dmat4 to_tree = placed.to_tree * unit;
+  const glm::dmat4 to_object = glm::inverse(to_tree);
+  for (const glm::dmat4* m : {&to_object, &to_tree}) {
+    for (int row = 0; row < 3; ++row) {
+      const glm::vec4 r((*m)[0][row], (*m)[1][row], (*m)[2][row], (*m)[3][row]);
+      quadrics.push_back(bits(glm::vec3(r), std::bit_cast<std::uint32_t>(r.w)));
+    }
+  }
+  const double inner = disk ? shape.inner_radius / shape.radius : 0;
+  const auto inner2 = std::bit_cast<std::uint32_t>(static_cast<float>(inner * inner));
+  quadrics.emplace_back(disk ? layout::kQuadricDisk : layout::kQuadricSphere, inner2, 0, 0);
+  // Half extents of the image of the unit sphere (or disk) under the matrix: the norms of its rows.
+  for (int row = 0; row < 3; ++row) {
+    double squares = 0;
+    for (int column = 0; column < (disk ? 2 : 3); ++column)
+      squares += to_tree[column][row] * to_tree[column][row];
+    const double centre = to_tree[3][row], half = std::sqrt(squares);
+    const double rounding = 1e-5 * half + 1e-6 * std::abs(centre);  // the device tests quadrics in float
+    box.low[row] = centre - half - rounding;
+    box.high[row] = centre + half + rounding;
+  }
+}
+
+/// Octahedral normal (Cigolle et al., JCGT 3(2), 2014), 16 bits a coordinate; 0 for none.
+std::uint32_t pack_normal(glm::dvec3 n) {
+  const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+  if (!(sum > 0)) return 0;
+  glm::dvec2 o(n.x / sum, n.y / sum);
+  if (n.z < 0) o = {std::copysign(1 - std::abs(n.y) / sum, n.x), std::copysign(1 - std::abs(n.x) / sum, n.y)};
+  const auto word = [](double v) {
+    return static_cast<std::uint32_t>(std::lround((v * 0.5 + 0.5) * 65534) + 1);
+  };
+  return word(o.x) | word(o.y) << 16;
+}
+
+/// What shading needs of a primitive.
+void write_details(const Scene& scene, const Placed& placed, std::size_t triangle, glm::uvec4* out) {
+  const Shape& shape = *placed.shape;
+  out[0] = glm::uvec4(0, 0, 0, static_cast<std::uint32_t>(shape.material));
+  out[1] = glm::uvec4(0);
+  out[2] = glm::uvec4(0, 0, static_cast<std::uint32_t>(shape.area_light), 0);
+  if (shape.kind != ShapeKind::mesh) return;
+  const TriangleMesh& mesh = scene.meshes[shape.mesh];
+  const glm::uvec3 corners = mesh.triangles[triangle];
+  if (!mesh.normals.empty()) {
+    const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(placed.to_tree)));
+    for (int k = 0; k < 3; ++k) out[0][k] = pack_normal(turn * glm::dvec3(mesh.normals[corners[k]]));
+  }
+  if (!mesh.uvs.empty()) {
+    const auto uv = [&](int k, int c) { return std::bit_cast<std::uint32_t>(mesh.uvs[corners[k]][c]); };
+    out[1] = {uv(0, 0), uv(0, 1), uv(1, 0), uv(1, 1)};
+    out[2].x = uv(2, 0);
+    out[2].y = uv(2, 1);
+  }
+}
+
+/// The boxes of the tree's upper nodes.
+std::vector<Box> upper_boxes(const BinaryTree& tree) {
+  constexpr int kDepth = 5;
+  std::vector<Box> boxes;
+  std::vector<std::pair<std::uint32_t, int>> stack{{0, 0}};
+  while (!stack.empty()) {
+    const auto [n, depth] = stack.back();
+    stack.pop_back();
+    const BinaryNode& node = tree.nodes[n];
+    if (depth == kDepth || node.count > 0) {
+      boxes.push_back(node.box);
+    } else {
+      stack.emplace_back(node.first, depth + 1);
+      stack.emplace_back(node.first + 1, depth + 1);
+    }
+  }
+  return boxes;
+}
+
+}  // namespace
+
+std::uint64_t primitive_count(const Scene& scene, const Shape& shape) {
+  return shape.kind == ShapeKind::mesh ? scene.meshes[shape.mesh].triangles.size() : 1;
+}
+
+GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, bool details,
+                        std::vector<glm::uvec4>& quadrics) {
+  std::vector<std::size_t> first(placed.size() + 1);
+  for (std::size_t s = 0; s < placed.size(); ++s)
+    first[s + 1] = first[s] + primitive_count(scene, *placed[s].shape);
+  const std::size_t count = first.back();
+  GeometryTree tree;
+  if (count == 0) return tree;
+  std::vector<Box> boxes(count);
+  std::vector<glm::uvec4> primitives(3 * count), unsorted(details ? 3 * count : 0);
+  for (std::size_t s = 0; s < placed.size(); ++s) {
+    if (placed[s].shape->kind == ShapeKind::mesh) continue;
+    const auto id = layout::kQuadricBit | static_cast<std::uint32_t>(quadrics.size() / 7);
+    add_quadric(placed[s], quadrics, boxes[first[s]]);
+    primitives[3 * first[s]] = glm::uvec4(0, 0, 0, id);
+    if (details) write_details(scene, placed[s], 0, &unsorted[3 * first[s]]);
+  }
+  parallel_for(placed.size(), [&](std::size_t s) {
+    const Placed& p = placed[s];
+    if (p.shape->kind != ShapeKind::mesh) return;
+    const TriangleMesh& mesh = scene.meshes[p.shape->mesh];
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const std::size_t at = first[s] + t;
+      for (int corner = 0; corner < 3; ++corner) {
+        const glm::vec3 v = glm::dvec3(p.to_tree * glm::dvec4(mesh.positions[mesh.triangles[t][corner]], 1));
+        boxes[at].add(glm::dvec3(v));
+        primitives[3 * at + corner] = bits(v, corner == 0 ? p.first_id + static_cast<std::uint32_t>(t) : 0);
+      }
+      if (details) write_details(scene, p, t, &unsorted[3 * at]);
+    }
+  });
+  {
+    const BinaryTree binary = build_binary_tree(boxes);
+    tree.boxes = upper_boxes(binary);
+    std::vector<Box>().swap(boxes);
+    tree.bvh = collapse(binary);
+  }
+  const std::size_t slots = tree.bvh.order.size();
+  tree.primitives.resize(3 * slots);
+  tree.details.resize(details ? 3 * slots : 0);
+  parallel_for(
+      slots,
+      [&](std::size_t slot) {
+        const std::size_t from = 3 * std::size_t(tree.bvh.order[slot]);
+        for (int k = 0; k < 3; ++k) tree.primitives[3 * slot + k] = primitives[from + k];
+        for (int k = 0; details && k < 3; ++k) tree.details[3 * slot + k] = unsorted[from + k];
+      },
+      1 << 14);
+  return tree;
+}
+
+}  // namespace capcon
