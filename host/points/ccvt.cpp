@@ -83,10 +83,8 @@ CcvtResult ccvt(const CcvtOptions& options) {
     const bool last = capacity == capacities.back();
     if (capacity != capacities.front()) state = refined_cells(state, capacity, options.seed);
     estimate.next_capacity(capacity);
-    // A coarse capacity is but a start for the next: few exchanges a site are near enough to its end.
-    const std::uint64_t enough = last ? 1 : 1 + state.cells.size() * capacity / 1024;
     const CcvtEffort effort = optimise(
-        state.cells, enough,
+        state.cells, last ? CcvtPace{} : coarse_pace(state.cells.size(), capacity),
         [&](std::uint64_t swaps) {
           if (last && options.on_pass) options.on_pass(state.cells.energy() / kHexagonEnergy, swaps);
           estimate.pass(swaps);

@@ -46,15 +46,15 @@ inline std::uint32_t above(const float* keys, float limit) {
 #endif
 
 CcvtKernels plain_ccvt_kernels() {
-  return {plain::project, plain::select};
+  return {plain::project, plain::sum, plain::select};
 }
 
 CcvtKernels best_ccvt_kernels() {
 #ifdef __x86_64__
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
-    return {avx512::project, avx512::select};
-  if (__builtin_cpu_supports("avx2")) return {avx2::project, avx2::select};
+    return {avx512::project, avx512::sum, avx512::select};
+  if (__builtin_cpu_supports("avx2")) return {avx2::project, avx2::sum, avx2::select};
 #endif
   return plain_ccvt_kernels();
 }

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "points/ccvt_exchange.h"
+#include "points/ccvt_leads.h"
 #include "points/ccvt_pairs.h"
 
 namespace capcon {
@@ -39,13 +40,24 @@ std::uint32_t work_on(CcvtCells& cells, CcvtPairs& pairs, CcvtPairs::Pair& pair,
 
 }  // namespace
 
-CcvtEffort optimise(CcvtCells& cells, std::uint64_t enough, const std::function<void(std::uint64_t)>& on_pass,
+CcvtPace coarse_pace(std::size_t sites, std::uint32_t capacity) {
+  const std::uint64_t enough = 1 + sites * capacity / 1024;
+  // Leads pay most where passes are cheap. Measured at n = 1024 on the way to a capacity of 1024: half the
+  // time of a way without them, and E_ot lower by 0.005.
+  if (capacity < 32) return {enough};
+  if (capacity < 128) return {enough, 10, 1.8};
+  return {enough, 5, 1.3};
+}
+
+CcvtEffort optimise(CcvtCells& cells, const CcvtPace& pace, const std::function<void(std::uint64_t)>& on_pass,
                     const std::function<bool()>& stop) {
   CcvtPairs pairs(cells.capacity());
   CcvtEffort effort;
   CcvtScratch scratch;
+  CcvtLeads leads(pace.lead);
   double exchanges_a_pair = 1;  // in the last pass
   for (;;) {
+    leads.renew(cells);
     pairs.refresh(cells);
     // About 8 ns a pair, and three looks at the points of two cells for each exchange: a guess, for the time
     // only.
@@ -79,12 +91,14 @@ CcvtEffort optimise(CcvtCells& cells, std::uint64_t enough, const std::function<
     ++effort.passes;
     effort.swaps += swaps;
     if (on_pass) on_pass(swaps);
-    if (swaps < enough) return effort;
+    if (swaps < pace.enough || effort.passes == pace.most_passes) break;
     if (stop && stop()) {
       effort.stopped = true;
-      return effort;
+      break;
     }
   }
+  leads.end(cells);
+  return effort;
 }
 
 }  // namespace capcon

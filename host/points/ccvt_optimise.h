@@ -13,11 +13,20 @@ struct CcvtEffort {
   bool stopped = false;  ///< before the end, by `stop`
 };
 
-/// Passes over all pairs of sites that may gain, until one exchanges fewer than `enough` space points: 1 goes
-/// on until nothing can be gained. `on_pass` gets the number of each pass's exchanges; when `stop` says so
-/// after a pass, that was the last. The pairs of a pass are shared out over all threads, with the same result
-/// for any number of them.
-CcvtEffort optimise(CcvtCells& cells, std::uint64_t enough = 1,
+/// When to end, and how boldly to go.
+struct CcvtPace {
+  std::uint64_t enough = 1;           ///< ends with a pass of fewer exchanges: 1: nothing can be gained
+  std::uint64_t most_passes = ~0ull;  ///< ... or after so many
+  double lead = 0;                    ///< see ccvt_leads.h; 0: each exchange lowers the energy
+};
+
+/// For a coarse capacity, which is but a start for the next: few exchanges a site are near enough to its end.
+CcvtPace coarse_pace(std::size_t sites, std::uint32_t capacity);
+
+/// Passes over all pairs of sites that may gain. `on_pass` gets the number of each pass's exchanges; when
+/// `stop` says so after a pass, that was the last. The pairs of a pass are shared out over all threads, with
+/// the same result for any number of them.
+CcvtEffort optimise(CcvtCells& cells, const CcvtPace& pace = {},
                     const std::function<void(std::uint64_t swaps)>& on_pass = {},
                     const std::function<bool()>& stop = {});
 

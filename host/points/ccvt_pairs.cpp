@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kLarge = 128;  // capacity from which to keep account
 // Blocks of sites whose space points fit into a cache, and do not consist of borders alone.
-constexpr std::uint32_t kBlockPoints = 1u << 16, kLeastBlock = 256;
+constexpr std::uint32_t kBlockPoints = 1u << 16, kLeastBlock = 128;
 constexpr float kWide = 10;  // slacks; radii are near 7 in the end
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 

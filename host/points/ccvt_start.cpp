@@ -138,19 +138,21 @@ namespace {
 CcvtState split_in_four(const CcvtState& coarse) {
   const EvenLattice fine = coarse.lattice.halved();
   const auto step = [](double v) { return static_cast<std::uint32_t>(std::llround(v * 0x1p32)); };
-  std::vector<TorusPoint> points;
+  TorusPoint offsets[4];
+  for (int k = 0; k < 4; ++k) {
+    const glm::dvec2 offset = (k / 2 - 0.5) * fine.a + (k % 2 - 0.5) * fine.b;
+    offsets[k] = {step(offset.x), step(offset.y)};
+  }
   const std::size_t count = coarse.cells.size() * coarse.cells.capacity();
-  points.reserve(4 * count);
+  std::vector<std::uint32_t> x(4 * count), y(4 * count);
   for (std::size_t k = 0; k < count; ++k) {
-    const TorusPoint p{coarse.cells.x(0)[k], coarse.cells.y(0)[k]};
-    for (const double u : {-0.5, 0.5}) {
-      for (const double v : {-0.5, 0.5}) {
-        const glm::dvec2 offset = u * fine.a + v * fine.b;
-        points.push_back({p.x + step(offset.x), p.y + step(offset.y)});
-      }
+    const std::uint32_t px = coarse.cells.x(0)[k], py = coarse.cells.y(0)[k];
+    for (std::size_t part = 0; part < 4; ++part) {
+      x[4 * k + part] = px + offsets[part].x;
+      y[4 * k + part] = py + offsets[part].y;
     }
   }
-  return {CcvtCells(4 * coarse.cells.capacity(), points), fine};
+  return {CcvtCells(4 * coarse.cells.capacity(), std::move(x), std::move(y)), fine};
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ class RegionOptimiser {
       if (capacity != capacities.front()) cells = refined(cells, capacity);
       double first = 0, part = 0;
       const CcvtEffort effort = optimise(
-          cells, last ? 1 : 1 + cells.size() * capacity / 1024,
+          cells, last ? CcvtPace{} : coarse_pace(cells.size(), capacity),
           [&](std::uint64_t swaps) {
             if (last && options_.on_pass) options_.on_pass(cells.energy() / kHexagonEnergy, swaps);
             const double left = std::log2(1.0 + static_cast<double>(swaps));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "base/hash.h"
@@ -35,6 +37,19 @@ TEST(CcvtKeys, WideVectorsGiveTheSameBits) {
       most = std::max(most, a[k]);
     }
     EXPECT_EQ(most_a, most);
+    std::int64_t x_a = 1, y_a = 1, x_b = 1, y_b = 1, sum_x = 0, sum_y = 0;
+    double farthest = 0;
+    const double far_a = plain.sum(x.data(), y.data(), count, centre, x_a, y_a);
+    const double far_b = best.sum(x.data(), y.data(), count, centre, x_b, y_b);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const auto dx = static_cast<std::int32_t>(x[k] - centre.x),
+                 dy = static_cast<std::int32_t>(y[k] - centre.y);
+      sum_x += dx;
+      sum_y += dy;
+      farthest = std::max({farthest, std::abs(static_cast<double>(dx)), std::abs(static_cast<double>(dy))});
+    }
+    EXPECT_TRUE(x_a == sum_x && x_b == sum_x && y_a == sum_y && y_b == sum_y) << count;
+    EXPECT_TRUE(far_a == farthest && far_b == farthest) << count;
     std::vector<CcvtCandidate> from_a(count + 1), from_b(count + 1);
     const float limit = count % 3 == 0 ? -1e10f : 0.5f * most;
     const std::uint32_t found = plain.select(a.data(), count, limit, from_a.data());
