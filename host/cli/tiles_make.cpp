@@ -16,8 +16,8 @@ namespace {
 
 struct Options {
   MakeTilesOptions make;
-  std::string output;
-  bool json = false, quiet = false;
+  std::string output, method = "ccvt";
+  bool compact = false, json = false, quiet = false;
 };
 
 void run(const Options& options) {
@@ -29,6 +29,8 @@ void run(const Options& options) {
   {
     Progress progress("tiles", 1, options.quiet);
     MakeTilesOptions make = options.make;
+    if (options.compact) make.colouring = Colouring::apart;
+    if (options.method == "fpo") make.method = TileMethod::fpo;
     make.on_round = [&](double done, double energy) {
       progress.update(done, fmt::format("energy {:.4f}", energy));
     };
@@ -66,9 +68,14 @@ void add_tiles_make(CLI::App& tiles) {
                            "equal cells that they have in many random tilings are as compact as can be.\n");
   auto options = std::make_shared<Options>();
   MakeTilesOptions& make = options->make;
-  verb->add_option("--colours", make.colours, "corner colours C: the set has C^4 tiles")
+  verb->add_option("--colours", make.colours, "corner colours C: a complete set has C^4 tiles")
       ->capture_default_str();
   verb->add_option("--points", make.points_per_tile, "points of a tile")->capture_default_str();
+  verb->add_option("--method", options->method, "ccvt: compact cells of equal area; fpo: farthest points")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"ccvt", "fpo"}));
+  verb->add_flag("--compact", options->compact,
+                 "fewer tiles: corner colours but the first never beside themselves (C = 3: 35 tiles of 81)");
   verb->add_option("--seed", make.seed, "another seed, another set")->capture_default_str();
   verb->add_option("--shared-corner", make.shared_corner,
                    "points of each quadrant shared by all tiles at a corner")
@@ -77,12 +84,13 @@ void add_tiles_make(CLI::App& tiles) {
       ->capture_default_str();
   verb->add_option("--starts", make.starts, "random starts, the best is finished")->capture_default_str();
   verb->add_option("--rounds", make.rounds, "rounds of the finish, a start gets half")->capture_default_str();
-  verb->add_option("--tilings", make.tilings, "random 8 x 8 tilings to optimise on")->capture_default_str();
+  verb->add_option("--tilings", make.tilings,
+                   "random 8 x 8 tilings to optimise on (default: 24, more for sets of more than 16 tiles)");
   verb->add_option("--moves", make.moves, "moves of the ranking, per point of the set")
       ->capture_default_str();
   verb->add_option("--flatness", make.flatness,
-                   "how much an even mean tile counts against compact cells; 0 gives a lattice")
-      ->capture_default_str()
+                   "how much an even mean tile counts against compact cells or distance; 0 gives a lattice "
+                   "(default: 0.002, fpo 0.0003)")
       ->check(CLI::Range(0.0, 1000.0));
   verb->add_option("-o,--output", options->output, "the tile set's file (default: standard output)")
       ->type_name("FILE");

@@ -1,5 +1,7 @@
 #include "cli/tiles_verb.h"
 
+#include <filesystem>
+
 #include "cli/verbs.h"
 
 namespace capcon::cli {
@@ -17,7 +19,10 @@ void add_tiles_verb(CLI::App& app) {
 }
 
 TileSet named_tile_set(const std::string& name) {
-  return name == "shipped" ? shipped_tile_set() : read_tile_set(name);
+  if (name == "shipped") return shipped_tile_set();
+  // A word that is no file's name as tile sets have it: one of the shipped sets.
+  const bool is_word = name.find_first_of("./") == std::string::npos && !std::filesystem::exists(name);
+  return is_word ? shipped_tile_set(name) : read_tile_set(name);
 }
 
 }  // namespace capcon::cli

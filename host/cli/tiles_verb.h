@@ -11,7 +11,8 @@ void add_tiles_make(CLI::App& tiles);
 void add_tiles_verify(CLI::App& tiles);
 void add_tiles_show(CLI::App& tiles);
 
-/// The tile set of a file, or the shipped one for the name "shipped".
+/// The tile set of a file, or a shipped one for its name: "shipped" (the same as "c2n16"), "c2n64",
+/// "c3n16-compact".
 TileSet named_tile_set(const std::string& name);
 
 }  // namespace capcon::cli

@@ -1,9 +1,9 @@
+#include "tiling/gaussian_tiling.h"
+
 #include <numeric>
 #include <utility>
 
 #include "base/error.h"
-#include "base/hash.h"
-#include "tiling/tiling.h"
 
 namespace capcon {
 namespace {
@@ -75,40 +75,6 @@ FixedPoint GaussianTiling::place(FixedPoint p) const {
   const std::int64_t x = std::int64_t(p.x) * a_ + std::int64_t(p.y) * b_;
   const std::int64_t y = std::int64_t(p.y) * a_ - std::int64_t(p.x) * b_;
   return {std::uint32_t(floor_div(x + half, size_)), std::uint32_t(floor_div(y + half, size_))};
-}
-
-std::vector<std::uint32_t> random_colours(const GaussianTiling& tiling, std::uint32_t colours,
-                                          std::uint64_t seed) {
-  constexpr std::uint64_t kColourStream = 0x636f6c6f7572;
-  std::vector<std::uint32_t> result(tiling.size());
-  for (std::uint32_t v = 0; v < tiling.size(); ++v)
-    result[v] = std::uint32_t((mix64(seed, kColourStream, v) >> 32) % colours);
-  return result;
-}
-
-std::uint32_t tile_of(const GaussianTiling& tiling, const std::vector<std::uint32_t>& colours,
-                      std::uint32_t colour_count, std::uint32_t cell) {
-  std::uint32_t tile = 0, digit = 1;
-  for (const std::uint32_t vertex : tiling.corners(cell)) {
-    tile += colours[vertex] * digit;
-    digit *= colour_count;
-  }
-  return tile;
-}
-
-Points tile_points(const TileSet& set, const GaussianTiling& tiling,
-                   const std::vector<std::uint32_t>& colours, std::uint32_t ranks) {
-  Points points;
-  points.reserve(std::size_t(tiling.size()) * ranks);
-  for (std::uint32_t cell = 0; cell < tiling.size(); ++cell) {
-    const FixedPoint origin = tiling.origin(cell);
-    const auto& tile = set.tiles.at(tile_of(tiling, colours, set.colours, cell));
-    for (std::uint32_t r = 0; r < ranks; ++r) {
-      const FixedPoint placed = tiling.place(tile.at(r).position);
-      points.push_back(to_double({origin.x + placed.x, origin.y + placed.y}));
-    }
-  }
-  return points;
 }
 
 }  // namespace capcon

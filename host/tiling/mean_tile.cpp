@@ -57,15 +57,18 @@ void for_each_frequency(const TiedPoints& points, double reach, Visit visit) {
 
 }  // namespace
 
-double mean_tile_unevenness(const TiedPoints& points, double reach, std::vector<glm::dvec2>* gradient) {
+double mean_tile_unevenness(const TiedPoints& points, double reach, std::vector<glm::dvec2>* gradient,
+                            bool low_first) {
   double total = 0;
   if (gradient) gradient->assign(points.free.size(), glm::dvec2(0));
   for_each_frequency(points, reach, [&](int m, int n, Complex sum, const std::vector<Complex>& terms) {
-    total += 2 * std::norm(sum);
+    const double weight = low_first ? reach * reach / (m * m + n * n) : 1.0;
+    total += 2 * weight * std::norm(sum);
     if (!gradient) return;
     // d|F|^2 / dx = 2 Re(conj(F) * -2 pi i m * term) = 4 pi m Im(conj(F) * term)
     for (std::size_t i = 0; i < terms.size(); ++i)
-      (*gradient)[i] += 2 * 4 * 3.141592653589793 * times(std::conj(sum), terms[i]).imag() * glm::dvec2(m, n);
+      (*gradient)[i] +=
+          weight * (2 * 4 * 3.141592653589793 * times(std::conj(sum), terms[i]).imag()) * glm::dvec2(m, n);
   });
   return total;
 }

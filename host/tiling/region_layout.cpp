@@ -50,7 +50,7 @@ bool is_some_part(const TileSet& set, const Key& key, const std::vector<bool>& i
   const auto& [kind, region, slot] = key;
   for (std::uint32_t part = 0; part < part_count(kind); ++part) {
     bool same = true;
-    for (std::uint32_t t = 0; t < set.tiles.size(); ++t)
+    for (const std::uint32_t t : tile_numbers(set.colours, set.colouring))
       same = same && in_tile[t] == (tile_region(set.colours, t, kind, part) == region);
     if (same) return true;
   }

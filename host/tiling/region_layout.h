@@ -10,7 +10,7 @@
 
 namespace capcon {
 
-/// colours^4, the size of a complete set.
+/// colours^4, the size of a complete set and the number of tile numbers.
 std::uint32_t tile_count(std::uint32_t colours);
 /// Colours of a tile's corners (0,0), (1,0), (0,1), (1,1).
 std::array<std::uint32_t, 4> tile_colours(std::uint32_t colours, std::uint32_t tile);

@@ -71,9 +71,11 @@ RegionCounts region_counts(std::uint32_t points_per_tile) {
 }
 
 TiedPoints random_tied_points(std::uint32_t colours, std::uint32_t points_per_tile, RegionCounts counts,
-                              std::uint64_t seed) {
-  TiedPoints result{colours, points_per_tile, {}, {}};
+                              std::uint64_t seed, Colouring colouring) {
+  TiedPoints result{colours, points_per_tile, {}, {}, colouring};
   result.tiles.resize(tile_count(colours));
+  const std::vector<std::uint32_t> numbers = tile_numbers(colours, colouring);
+  const std::vector<double> shares = tile_shares(colours, colouring);
   for (const RegionKind kind : kKinds) {
     const std::uint32_t bound = kind == RegionKind::corner ? 1 : kind == RegionKind::interior ? 4 : 2;
     const std::uint32_t regions =
@@ -86,9 +88,17 @@ TiedPoints random_tied_points(std::uint32_t colours, std::uint32_t points_per_ti
         const std::uint32_t part = slot / per_part;
         const Box box = start_box(kind, part, counts, points_per_tile);
         const std::uint64_t stream = result.free.size();
-        for (std::uint32_t t = 0; t < result.tiles.size(); ++t)
-          if (tile_region(colours, t, kind, part) == region) result.tiles[t].push_back(std::uint32_t(stream));
-        result.free.push_back({kind, region, part, slot, 1.0 / regions, {}});
+        double share = 0;
+        bool shown = false;
+        for (const std::uint32_t t : numbers)
+          if (tile_region(colours, t, kind, part) == region) {
+            result.tiles[t].push_back(std::uint32_t(stream));
+            share += shares[t];
+            shown = true;
+          }
+        if (!shown) continue;  // an edge or a tile that a compact set does without
+        if (colouring == Colouring::free) share = 1.0 / regions;  // without the sum's rounding
+        result.free.push_back({kind, region, part, slot, share, {}});
         place_apart(result, std::uint32_t(stream), box, seed);
       }
   }
@@ -96,7 +106,7 @@ TiedPoints random_tied_points(std::uint32_t colours, std::uint32_t points_per_ti
 }
 
 TileSet to_tile_set(const TiedPoints& points, std::string recipe) {
-  TileSet set{points.colours, points.points_per_tile, std::move(recipe), {}};
+  TileSet set{points.colours, points.points_per_tile, std::move(recipe), {}, points.colouring};
   for (const std::vector<std::uint32_t>& tile : points.tiles) {
     set.tiles.emplace_back();
     for (const std::uint32_t i : tile) {

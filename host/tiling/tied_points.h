@@ -19,24 +19,27 @@ struct RegionCounts {
 /// points.
 RegionCounts region_counts(std::uint32_t points_per_tile);
 
-/// The free points of a complete tile set: each is the common position of all copies of one point of a
+/// The free points of a tile set: each is the common position of all copies of one point of a
 /// region.
 struct TiedPoints {
   struct FreePoint {
     RegionKind kind = RegionKind::interior;
     std::uint32_t region = 0, part = 0, slot = 0;
-    double copies_per_tile = 0;  ///< expected in a random tiling: 1/C for a corner, 1/C^2, 1/C^4
+    double copies_per_tile = 0;  ///< expected in a random tiling: in a complete set 1/C for a corner's, 1/C^2
+                                 ///< for an edge's, 1/C^4 for a tile's
     glm::dvec2 position{0};      ///< in the unit square of the tiles that show it
   };
   std::uint32_t colours = 2, points_per_tile = 16;
   std::vector<FreePoint> free;
-  std::vector<std::vector<std::uint32_t>> tiles;  ///< per tile the indices of its free points
+  std::vector<std::vector<std::uint32_t>>
+      tiles;  ///< per tile number the indices of its free points; none where a compact set has no tile
+  Colouring colouring = Colouring::free;
 };
 
 /// Free points at random places, apart from each other, in rectangles of the right area; deterministic by
 /// seed.
 TiedPoints random_tied_points(std::uint32_t colours, std::uint32_t points_per_tile, RegionCounts counts,
-                              std::uint64_t seed);
+                              std::uint64_t seed, Colouring colouring = Colouring::free);
 
 /// The tile set in the order of `tiles`.
 TileSet to_tile_set(const TiedPoints& points, std::string recipe);

@@ -6,19 +6,22 @@
 
 #include "base/hash.h"
 #include "points/measure.h"
-#include "tiling/tiling.h"
 
 namespace capcon {
 
+Points fresh_tiling(const TileSet& set, const GaussianTiling& tiling, std::uint32_t ranks, std::uint32_t i,
+                    std::uint64_t seed) {
+  constexpr std::uint64_t kFreshStream = 0x6672657368;
+  return tile_points(set, tiling, random_colours(tiling, set, mix64(seed, kFreshStream, i)), ranks);
+}
+
 TilingFigures tiling_figures(const TileSet& set, std::uint32_t a, std::uint32_t b, std::uint32_t ranks,
                              std::uint32_t count, std::uint64_t seed) {
-  constexpr std::uint64_t kFreshStream = 0x6672657368;  // not the one that tilings to optimise on come from
   const GaussianTiling tiling(a, b);
   TilingFigures f{tiling.size(), ranks, count};
   double energy2 = 0, delta2 = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const auto colours = random_colours(tiling, set.colours, mix64(seed, kFreshStream, i));
-    const Measures m = measure(tile_points(set, tiling, colours, ranks));
+    const Measures m = measure(fresh_tiling(set, tiling, ranks, i, seed));
     f.energy += m.energy / count;
     f.delta_mean += m.delta_mean / count;
     f.delta_min += m.delta_min / count;

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 
-#include "tiling/tile_set.h"
+#include "points/point_set.h"
+#include "tiling/tiling.h"
 
 namespace capcon {
 
@@ -14,6 +15,10 @@ struct TilingFigures {
   double delta_mean = 0, delta_mean_sd = 0;
   double delta_min = 0;  ///< mean over the tilings
 };
+
+/// The i-th random tiling that sets are measured on: none of those that they are optimised on.
+Points fresh_tiling(const TileSet& set, const GaussianTiling& tiling, std::uint32_t ranks, std::uint32_t i,
+                    std::uint64_t seed);
 
 /// Of `count` random tilings of a^2 + b^2 tiles, each with the first `ranks` points of every tile.
 TilingFigures tiling_figures(const TileSet& set, std::uint32_t a, std::uint32_t b, std::uint32_t ranks,

@@ -3,31 +3,47 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "tiling/region_layout.h"
+#include "tiling/tiling.h"
 
 namespace capcon {
 namespace {
 
 constexpr double kReach = 1.6;  // of the potential, in spacings of the hexagonal lattice
+// Prefixes of a quarter of the points or more choose among points that keep a distance already; what is left
+// to gain is the nearest neighbour's distance, hence a shorter reach. The hardest is half of the points.
+constexpr double kLongReach = 1.3, kLongWeight = 2.5;
 constexpr double kOneTileWeight =
     4;  // of the one-tile tilings, in parts of the infinite tiling's weight: few samples use them
-constexpr double kSmallPower = 3;        // r = 1, 2, 4, 8, ... count this much more than other r
-constexpr double kHeat = 1.5;            // first temperature, in potential of one point
-constexpr std::uint32_t kAllRanks = 16;  // prefixes up to here all count, longer ones in steps of a half
+constexpr double kSmallPower = 3;  // powers of two count this much more than other short prefixes
+constexpr std::uint32_t kAllRanks = 16, kStep = 4;  // prefixes up to here all count, then every kStep-th
+constexpr double kHeat = 1.5;                       // first temperature, in potential of one point
 constexpr std::uint64_t kRankStream = 0x72616e6b;
 
-// The chance that tile u is at (dx, dy) from a tile t, times colours^4.
-std::vector<double> neighbour_weights(std::uint32_t colours, std::uint32_t tiles, int dx, int dy) {
+bool is_long(std::uint32_t rank, std::uint32_t nt) {
+  return 4 * rank >= nt;
+}
+
+// The numbers of the tiles that there are: the set's tiles, counted from 0 in this file.
+std::vector<std::uint32_t> numbers_of(const TileSet& set) {
+  return tile_numbers(set.colours, set.colouring);
+}
+
+// The chance that tile u is at (dx, dy) from a tile t of a complete set, times colours^4.
+std::vector<double> complete_weights(const TileSet& set, int dx, int dy) {
+  const auto tiles = std::uint32_t(set.tile_count());
   std::vector<double> weights(std::size_t(tiles) * tiles, 1.0);
   double consistent = 0;
   for (std::uint32_t t = 0; t < tiles; ++t)
     for (std::uint32_t u = 0; u < tiles; ++u) {
-      const auto a = tile_colours(colours, t), b = tile_colours(colours, u);
+      const auto a = tile_colours(set.colours, t), b = tile_colours(set.colours, u);
       for (int corner = 0; corner < 4; ++corner) {
         const int x = (corner & 1) - dx, y = (corner >> 1) - dy;  // the same vertex seen from u
         if (x >= 0 && x <= 1 && y >= 0 && y <= 1 && a[corner] != b[x + 2 * y]) weights[t * tiles + u] = 0;
@@ -38,24 +54,75 @@ std::vector<double> neighbour_weights(std::uint32_t colours, std::uint32_t tiles
   return weights;
 }
 
+// The same of any set by its own colouring, counted in one large random tiling.
+class CountedWeights {
+ public:
+  explicit CountedWeights(const TileSet& set) : tiling_(kCountSide, 0), tiles_(set.tile_count()) {
+    const auto numbers = numbers_of(set);
+    const auto colours = random_colours(tiling_, set, kRankStream);
+    for (std::uint32_t cell = 0; cell < tiling_.size(); ++cell) {
+      const std::uint32_t tile = tile_of(tiling_, colours, set.colours, cell);
+      kind_.push_back(std::uint32_t(std::ranges::lower_bound(numbers, tile) - numbers.begin()));
+    }
+  }
+  std::vector<double> operator()(int dx, int dy) const {
+    std::vector<double> weights(tiles_ * tiles_, 0.0);
+    for (std::uint32_t cell = 0; cell < tiling_.size(); ++cell) {
+      const glm::ivec2 at = tiling_.cell(cell);
+      weights[kind_[cell] * tiles_ + kind_[tiling_.index(at.x + dx, at.y + dy)]] +=
+          double(tiles_) / tiling_.size();
+    }
+    return weights;
+  }
+
+ private:
+  static constexpr std::uint32_t kCountSide = 256;
+  GaussianTiling tiling_;
+  std::size_t tiles_;
+  std::vector<std::uint32_t> kind_;  // per cell
+};
+
+// By shift the chances of pairs of tiles in an infinite random tiling, and in the one-tile tilings beside it.
+class PairWeights {
+ public:
+  explicit PairWeights(const TileSet& set) : set_(set) {
+    if (set.colouring != Colouring::free) counted_.emplace(set);
+  }
+  const std::vector<double>& at(int dx, int dy) {
+    auto [entry, is_new] = by_shift_.try_emplace({dx, dy});
+    if (!is_new) return entry->second;
+    std::vector<double> weights = counted_ ? (*counted_)(dx, dy) : complete_weights(set_, dx, dy);
+    const auto numbers = numbers_of(set_);
+    const std::size_t tiles = numbers.size();
+    std::vector<std::size_t> alone;  // with four equal corners
+    for (std::size_t t = 0; t < tiles; ++t) {
+      const auto c = tile_colours(set_.colours, numbers[t]);
+      if (c[0] == c[1] && c[0] == c[2] && c[0] == c[3]) alone.push_back(t);
+    }
+    for (const std::size_t t : alone)
+      weights[t * tiles + t] += kOneTileWeight * double(tiles) / double(alone.size());
+    return entry->second = std::move(weights);
+  }
+
+ private:
+  const TileSet& set_;
+  std::optional<CountedWeights> counted_;
+  std::map<std::pair<int, int>, std::vector<double>> by_shift_;
+};
+
 // Both potentials of every pair of points of the set (of i at j and of j at i), for one prefix length.
 class Potential {
  public:
-  Potential(const TileSet& set, std::uint32_t rank)
+  Potential(const TileSet& set, std::uint32_t rank, PairWeights& pairs)
       : nt_(set.points_per_tile),
         tiles_(std::uint32_t(set.tile_count())),
+        numbers_(numbers_of(set)),
         q_(std::size_t(nt_) * nt_ * tiles_ * tiles_) {
-    const double reach2 = kReach * kReach * 2 / (std::sqrt(3.0) * rank);
+    const double spacings = is_long(rank, nt_) ? kLongReach : kReach;
+    const double reach2 = spacings * spacings * 2 / (std::sqrt(3.0) * rank);
     const int far = int(std::ceil(std::sqrt(reach2)));
     for (int dy = -far; dy <= far; ++dy)
-      for (int dx = -far; dx <= far; ++dx) {
-        std::vector<double> weights = neighbour_weights(set.colours, tiles_, dx, dy);
-        for (std::uint32_t c = 0; c < set.colours; ++c) {  // the one-tile tilings, all corners c
-          const std::uint32_t t = c * (tiles_ - 1) / std::max(1u, set.colours - 1);
-          weights[t * tiles_ + t] += kOneTileWeight * tiles_ / set.colours;
-        }
-        add(set, {dx, dy}, weights, reach2);
-      }
+      for (int dx = -far; dx <= far; ++dx) add(set, {dx, dy}, pairs.at(dx, dy), reach2);
   }
   double operator()(std::size_t i, std::size_t j) const { return q_[i * nt_ * tiles_ + j]; }
 
@@ -66,8 +133,8 @@ class Potential {
         if (weights[t * tiles_ + u] == 0) continue;
         for (std::uint32_t i = 0; i < nt_; ++i)
           for (std::uint32_t j = 0; j < nt_; ++j) {
-            const glm::dvec2 d =
-                to_double(set.tiles[u][j].position) + shift - to_double(set.tiles[t][i].position);
+            const glm::dvec2 d = to_double(set.tiles[numbers_[u]][j].position) + shift -
+                                 to_double(set.tiles[numbers_[t]][i].position);
             const double s = 1 - glm::dot(d, d) / reach2;
             if (s <= 0 || (t == u && i == j && shift == glm::dvec2(0))) continue;
             q_[(std::size_t(t) * nt_ + i) * nt_ * tiles_ + u * nt_ + j] +=
@@ -76,14 +143,14 @@ class Potential {
       }
   }
   std::uint32_t nt_, tiles_;
+  std::vector<std::uint32_t> numbers_;
   std::vector<float> q_;
 };
 
 // The lengths of prefixes that count.
 std::vector<std::uint32_t> prefix_lengths(std::uint32_t nt) {
   std::vector<std::uint32_t> lengths;
-  for (std::uint32_t r = 1; r < nt; r += r < kAllRanks ? 1 : r / ((r & (r - 1)) == 0 ? 2 : 3))
-    lengths.push_back(r);
+  for (std::uint32_t r = 1; r < nt; r += r < kAllRanks ? 1 : kStep) lengths.push_back(r);
   return lengths;
 }
 
@@ -92,7 +159,8 @@ class Ranking {
  public:
   explicit Ranking(const TileSet& set)
       : nt_(set.points_per_tile), points_(set.tile_count() * nt_), lengths_(prefix_lengths(nt_)) {
-    for (const std::uint32_t r : lengths_) potentials_.emplace_back(set, r);
+    PairWeights pairs(set);
+    for (const std::uint32_t r : lengths_) potentials_.emplace_back(set, r, pairs);
     order_.resize(points_);
     for (std::size_t i = 0; i < points_; ++i) order_[i] = std::uint32_t(i);
     fields_.assign(lengths_.size(), std::vector<double>(points_));
@@ -123,7 +191,8 @@ class Ranking {
  private:
   double both(std::size_t p, std::size_t i, std::size_t k) const { return potentials_[p](i, k); }
   double weight(std::uint32_t r) const {
-    return ((r & (r - 1)) == 0 ? kSmallPower : 1.0) / double(r * points_ / nt_);
+    const double important = is_long(r, nt_) ? kLongWeight : (r & (r - 1)) == 0 ? kSmallPower : 1.0;
+    return important / double(r * points_ / nt_);
   }
 
   std::uint32_t nt_;
@@ -140,12 +209,13 @@ void rank_points(TileSet& set, std::uint64_t seed, std::uint32_t moves_per_point
   const std::uint32_t nt = set.points_per_tile;
   if (nt < 2) return;
   Ranking ranking(set);
-  const std::uint64_t moves = std::uint64_t(moves_per_point) * set.tile_count() * nt;
+  const std::size_t tiles = set.tile_count();
+  const std::uint64_t moves = std::uint64_t(moves_per_point) * tiles * nt;
   for (std::uint64_t move = 0; move < moves; ++move) {
     const double cooling = 1 - double(move) / double(moves);
-    const double temperature = kHeat / double(set.tile_count()) * cooling * cooling * cooling;
+    const double temperature = kHeat / double(tiles) * cooling * cooling * cooling;
     const std::uint64_t bits = mix64(seed, kRankStream, move);
-    const std::size_t tile = (bits >> 40) % set.tile_count();
+    const std::size_t tile = (bits >> 40) % tiles;
     std::uint32_t a = std::uint32_t(bits & 0xfffff) % nt, b = std::uint32_t(bits >> 20 & 0xfffff) % nt;
     if (a == b) continue;
     if (a > b) std::swap(a, b);
@@ -153,10 +223,12 @@ void rank_points(TileSet& set, std::uint64_t seed, std::uint32_t moves_per_point
     // Accepting by a threshold with a uniform random number needs no exponential.
     if (change < temperature * uniform64(seed, kRankStream + 1, move)) ranking.swap(tile, a, b);
   }
-  for (std::size_t t = 0; t < set.tile_count(); ++t) {
+  const auto numbers = numbers_of(set);
+  for (std::size_t t = 0; t < numbers.size(); ++t) {
+    auto& tile = set.tiles[numbers[t]];
     std::vector<TileSet::TilePoint> ordered;
-    for (std::uint32_t r = 0; r < nt; ++r) ordered.push_back(set.tiles[t][ranking.at(t, r)]);
-    set.tiles[t] = std::move(ordered);
+    for (std::uint32_t r = 0; r < nt; ++r) ordered.push_back(tile[ranking.at(t, r)]);
+    tile = std::move(ordered);
   }
 }
 

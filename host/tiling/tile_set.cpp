@@ -2,23 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/error.h"
 #include "base/file.h"
 #include "base/hash.h"
 
 namespace capcon {
-
-FixedPoint to_fixed(glm::dvec2 p) {
-  const auto one = [](double v) { return std::uint32_t(std::int64_t(std::floor(v * 0x1p32 + 0.5))); };
-  return {one(p.x), one(p.y)};
-}
-
-glm::dvec2 to_double(FixedPoint p) {
-  return {p.x * 0x1p-32, p.y * 0x1p-32};
-}
 
 std::string_view region_name(RegionKind kind) {
   switch (kind) {
@@ -36,9 +24,12 @@ std::string_view region_name(RegionKind kind) {
 namespace {
 
 std::string body(const TileSet& set) {
-  std::string text = fmt::format("capcon-tiles 1\ncolours {}\npoints {}\nrecipe {}\n", set.colours,
-                                 set.points_per_tile, set.recipe);
-  for (std::size_t t = 0; t < set.tiles.size(); ++t) {
+  const bool complete = set.colouring == Colouring::free;
+  std::string text = fmt::format("capcon-tiles {}\ncolours {}\npoints {}\n", complete ? 1 : 2, set.colours,
+                                 set.points_per_tile);
+  if (!complete) text += fmt::format("colouring {}\n", colouring_name(set.colouring));
+  text += fmt::format("recipe {}\n", set.recipe);
+  for (const std::uint32_t t : tile_numbers(set.colours, set.colouring)) {
     text += fmt::format("tile {}\n", t);
     for (const TileSet::TilePoint& p : set.tiles[t])
       text +=
@@ -67,7 +58,11 @@ TileSet read_tile_set(const std::filesystem::path& path) {
 }
 
 TileSet shipped_tile_set(std::uint32_t colours, std::uint32_t points_per_tile) {
-  return read_tile_set(shipped_file(fmt::format("tiles/c{}n{}.tiles", colours, points_per_tile)));
+  return shipped_tile_set(fmt::format("c{}n{}", colours, points_per_tile));
+}
+
+TileSet shipped_tile_set(const std::string& name) {
+  return read_tile_set(shipped_file("tiles/" + name + ".tiles"));
 }
 
 }  // namespace capcon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -7,18 +8,10 @@
 #include <vector>
 
 #include "points/point_set.h"
+#include "tiling/colouring.h"
+#include "tiling/fixed_point.h"
 
 namespace capcon {
-
-/// A coordinate pair in [0, 1)^2 as 0.32 fixed point: x / 2^32. Rotation on the torus is 32-bit addition.
-struct FixedPoint {
-  std::uint32_t x = 0;
-  std::uint32_t y = 0;
-  bool operator==(const FixedPoint&) const = default;
-};
-
-FixedPoint to_fixed(glm::dvec2 p);
-glm::dvec2 to_double(FixedPoint p);
 
 /// The kind of region of a tile that a point belongs to; copies of a corner or an edge region hold the same
 /// points.
@@ -27,8 +20,9 @@ enum class RegionKind : std::uint8_t { corner, horizontal_edge, vertical_edge, i
 /// "corner", "horizontal", "vertical", "interior": the words of the file format.
 std::string_view region_name(RegionKind kind);
 
-/// A complete set of corner tiles: tile index = colours of its corners (0,0), (1,0), (0,1), (1,1) read as a
-/// number in base `colours`, the first the lowest digit.
+/// A set of corner tiles: tile number = colours of its corners (0,0), (1,0), (0,1), (1,1) read as a number in
+/// base `colours`, the first the lowest digit. A complete set has all colours^4 tiles, a compact one those
+/// whose sides its colouring allows.
 struct TileSet {
   std::uint32_t colours = 2;
   std::uint32_t points_per_tile = 16;
@@ -41,10 +35,15 @@ struct TileSet {
         0;  ///< corner: its colour; edge: c0 + colours * c1 along +x or +y; interior: the tile
     std::uint32_t slot = 0;  ///< which point of that region
   };
-  /// tiles[t][r]: the point of rank r of tile t. Any prefix of all tiles is well spread in any tiling.
+  /// tiles[t][r]: the point of rank r of tile number t. Any prefix of all tiles is well spread in any tiling.
+  /// colours^4 entries, those of tiles that a compact set does without are empty.
   std::vector<std::vector<TilePoint>> tiles;
+  Colouring colouring = Colouring::free;
 
-  std::size_t tile_count() const { return tiles.size(); }
+  /// How many tiles there are.
+  std::size_t tile_count() const {
+    return std::size_t(std::ranges::count_if(tiles, [](const auto& t) { return !t.empty(); }));
+  }
 };
 
 /// Reads a capcon-tiles file (docs/tile-format.md). InputError with file:line for a wrong magic, version,
@@ -61,5 +60,7 @@ std::uint64_t checksum(const TileSet& set);
 
 /// The shipped set tiles/c<colours>n<points>.tiles.
 TileSet shipped_tile_set(std::uint32_t colours = 2, std::uint32_t points_per_tile = 16);
+/// The shipped set tiles/<name>.tiles: c2n16, c2n64, c3n16-compact.
+TileSet shipped_tile_set(const std::string& name);
 
 }  // namespace capcon

@@ -116,24 +116,30 @@ void check_end(Lines& lines, std::string_view text) {
 
 TileSet parse_tile_set(std::string_view text, const std::string& name) {
   Lines lines(text, name);
-  if (Words magic(lines.next("'capcon-tiles 1'"), lines); magic.word() != "capcon-tiles")
-    lines.fail("not a tile set: the first line should be 'capcon-tiles 1'");
-  else if (magic.rest() != "1")
-    lines.fail(fmt::format("version '{}' of the format is not known, only 1", magic.rest()));
+  Words magic(lines.next("'capcon-tiles 1'"), lines);
+  if (magic.word() != "capcon-tiles") lines.fail("not a tile set: the first line should be 'capcon-tiles 1'");
+  if (magic.rest() != "1" && magic.rest() != "2")
+    lines.fail(fmt::format("version '{}' of the format is not known, only 1 and 2", magic.rest()));
+  const bool compact = magic.rest() == "2";
   TileSet set;
   set.colours = field(lines, "colours", 1, kMaxColours);
   set.points_per_tile = field(lines, "points", 1, kMaxPoints);
+  if (compact) {
+    if (lines.next("'colouring apart'") != "colouring apart")
+      lines.fail("'colouring apart' should stand here: version 2 holds compact sets, and these only");
+    set.colouring = Colouring::apart;
+  }
   Words recipe(lines.next("'recipe <command>'"), lines);
   if (recipe.word() != "recipe") lines.fail("'recipe <command>' should stand here");
   set.recipe = recipe.rest();
 
   set.tiles.resize(tile_count(set.colours));
   std::vector<std::vector<SourcePlace>> places(set.tiles.size());
-  for (std::uint32_t t = 0; t < set.tiles.size(); ++t) {
+  const std::vector<std::uint32_t> numbers = tile_numbers(set.colours, set.colouring);
+  for (const std::uint32_t t : numbers) {
     if (lines.next("'tile <number>'") != fmt::format("tile {}", t))
-      lines.fail(
-          fmt::format("'tile {}' should stand here: a complete set has {} tiles of {} points, in order", t,
-                      set.tiles.size(), set.points_per_tile));
+      lines.fail(fmt::format("'tile {}' should stand here: a {} set has {} tiles of {} points, in order", t,
+                             compact ? "compact" : "complete", numbers.size(), set.points_per_tile));
     for (std::uint32_t r = 0; r < set.points_per_tile; ++r) {
       set.tiles[t].push_back(tile_point(lines));
       places[t].push_back(lines.place());

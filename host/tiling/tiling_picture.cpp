@@ -26,7 +26,7 @@ std::string hex(Colour c) {
 TilingPicture picture_tiling(const TileSet& set, std::uint32_t width, std::uint32_t ranks, std::uint64_t seed,
                              double size) {
   const GaussianTiling tiling(width, 0);
-  const std::vector<std::uint32_t> colours = random_colours(tiling, set.colours, seed);
+  const std::vector<std::uint32_t> colours = random_colours(tiling, set, seed);
   const Points points = tile_points(set, tiling, colours, ranks);
   const auto place = [&](glm::dvec2 p) { return glm::dvec2(p.x * size, (1 - p.y) * size); };
   const double tile = size / width, spacing = size / std::sqrt(double(points.size()));

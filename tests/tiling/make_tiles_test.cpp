@@ -51,6 +51,10 @@ TEST(MakeTiles, OtherShapesAreWholeSets) {
   options.colours = 3;
   options.points_per_tile = 9;
   EXPECT_EQ(make_tiles(options).tile_count(), 81u);
+  options.colouring = Colouring::apart;
+  const TileSet compact = make_tiles(options);
+  EXPECT_EQ(compact.tile_count(), 35u);
+  EXPECT_EQ(find_region_fault(compact), std::nullopt);
   options.points_per_tile = 1000;
   EXPECT_THROW(make_tiles(options), InputError);
   options = tiny();
@@ -93,17 +97,20 @@ TEST(EqualCells, AreEqualAndTileTheTorus) {
 TEST(MeanTile, GradientIsTheDifferenceQuotient) {
   TiedPoints points = random_tied_points(2, 16, {1, 1, 8}, 2);
   std::vector<glm::dvec2> gradient;
-  mean_tile_unevenness(points, 8, &gradient);
   constexpr double kStep = 1e-6;
-  for (const std::size_t i : {0u, 9u, 50u}) {
-    auto& y = points.free[i].position.y;
-    const double at = y;
-    y = at + kStep;
-    const double above = mean_tile_unevenness(points, 8);
-    y = at - kStep;
-    const double below = mean_tile_unevenness(points, 8);
-    y = at;
-    EXPECT_NEAR(gradient[i].y, (above - below) / (2 * kStep), 1e-4 * (1 + std::abs(gradient[i].y)));
+  for (const bool low_first : {false, true}) {
+    const auto value = [&] { return mean_tile_unevenness(points, 8, nullptr, low_first); };
+    mean_tile_unevenness(points, 8, &gradient, low_first);
+    for (const std::size_t i : {0u, 9u, 50u}) {
+      auto& y = points.free[i].position.y;
+      const double at = y;
+      y = at + kStep;
+      const double above = value();
+      y = at - kStep;
+      const double below = value();
+      y = at;
+      EXPECT_NEAR(gradient[i].y, (above - below) / (2 * kStep), 1e-4 * (1 + std::abs(gradient[i].y)));
+    }
   }
 }
 

@@ -57,7 +57,7 @@ TEST(TileSet, RoundTripKeepsEveryBit) {
 TEST(TileSet, WrongFirstLines) {
   EXPECT_THAT(message(""), StartsWith("my.tiles:1: the file ends here"));
   EXPECT_THAT(message("ply\n"), StartsWith("my.tiles:1: not a tile set"));
-  EXPECT_THAT(message("capcon-tiles 2\n"), StartsWith("my.tiles:1: version '2'"));
+  EXPECT_THAT(message("capcon-tiles 3\n"), StartsWith("my.tiles:1: version '3'"));
   EXPECT_THAT(message(edited(shared_set(), "colours 2", "colours two")),
               StartsWith("my.tiles:2: 'two' is not"));
   EXPECT_THAT(message(edited(shared_set(), "colours 2", "colours 0")),
@@ -124,14 +124,57 @@ TEST(RegionLayout, NeighbouringTilesSeeTheSameEdgesAndCorners) {
     }
 }
 
+TEST(TileSet, CompactSetsKeepEveryBit) {
+  const TileSet set =
+      to_tile_set(random_tied_points(3, 20, {2, 1, 8}, 5, Colouring::apart), "a recipe, with words");
+  EXPECT_EQ(set.tile_count(), 35u);
+  EXPECT_EQ(set.tiles.size(), 81u);
+  EXPECT_TRUE(set.tiles[40].empty());  // all corners of colour 1
+  const std::string text = format_tile_set(set);
+  EXPECT_THAT(text, StartsWith("capcon-tiles 2\ncolours 3\npoints 20\ncolouring apart\nrecipe a recipe"));
+  const TileSet back = parse_tile_set(text, "x");
+  EXPECT_EQ(back.colouring, Colouring::apart);
+  EXPECT_EQ(format_tile_set(back), text);
+}
+
+TEST(TileSet, CompactSetsHoldTheirTilesOnly) {
+  const TileSet set = to_tile_set(random_tied_points(2, 16, {0, 0, 16}, 5, Colouring::apart), "a test");
+  EXPECT_THAT(message(edited(set, "colouring apart", "colouring free")),
+              StartsWith("my.tiles:4: 'colouring apart' should"));
+  EXPECT_THAT(message(edited(set, "capcon-tiles 2", "capcon-tiles 1")), StartsWith("my.tiles:4: 'recipe"));
+  EXPECT_THAT(message(edited(set, "tile 4", "tile 3")),
+              StartsWith("my.tiles:57: 'tile 4' should stand here: a compact set has 7 tiles"));
+}
+
+// Version 1 as it was written first, with a shared corner; version 2 beside it.
+TEST(TileSet, FrozenBytesOfBothVersions) {
+  const std::string one =
+      "capcon-tiles 1\ncolours 1\npoints 2\nrecipe by hand\ntile 0\n"
+      "4294967295 1 corner 0 1\n2147483648 1073741824 interior 0 0\nchecksum fnv1a64 fa390a0526f9cf1d\n";
+  const std::string two =
+      "capcon-tiles 2\ncolours 2\npoints 1\ncolouring apart\nrecipe by hand\n"
+      "tile 0\n0 5 interior 0 0\ntile 1\n1 5 interior 1 0\ntile 2\n2 5 interior 2 0\n"
+      "tile 4\n3 5 interior 4 0\ntile 6\n4 5 interior 6 0\ntile 8\n5 5 interior 8 0\n"
+      "tile 9\n6 5 interior 9 0\nchecksum fnv1a64 1132ef1d493aaafe\n";
+  const TileSet first = parse_tile_set(one, "one"), second = parse_tile_set(two, "two");
+  EXPECT_EQ(first.colouring, Colouring::free);
+  EXPECT_EQ(first.tiles[0][1].position, (FixedPoint{2147483648u, 1073741824u}));
+  EXPECT_EQ(first.tiles[0][0].kind, RegionKind::corner);
+  EXPECT_EQ(second.tiles[9][0].position, (FixedPoint{6, 5}));
+  EXPECT_EQ(format_tile_set(first), one);
+  EXPECT_EQ(format_tile_set(second), two);
+}
+
 // Frozen: sets of format version 1 must stay readable, and the shipped set is what samplers' results rest on.
 TEST(ShippedTileSet, IsTheFrozenOne) {
   const TileSet set = shipped_tile_set();
   EXPECT_EQ(set.colours, 2u);
   EXPECT_EQ(set.points_per_tile, 16u);
   EXPECT_EQ(set.tile_count(), 16u);
-  EXPECT_EQ(fmt::format("{:016x}", checksum(set)), "8fc6524c8971b1dd");
+  EXPECT_EQ(fmt::format("{:016x}", checksum(set)), "30b6841b7d6b2019");
   EXPECT_EQ(format_tile_set(set), read_file(shipped_file("tiles/c2n16.tiles")));
+  EXPECT_EQ(shipped_tile_set("c2n64").points_per_tile, 64u);
+  EXPECT_EQ(shipped_tile_set("c3n16-compact").tile_count(), 35u);
 }
 
 }  // namespace
