@@ -24,7 +24,7 @@ struct Laplacian {
   void clear();
 };
 
-/// Solves L v = b by conjugate gradients, preconditioned by one cycle over ever coarser graphs: nodes are
+/// Solves L v = b by conjugate gradients, preconditioned by one W-cycle over ever coarser graphs: nodes are
 /// paired along their heaviest edges, twice a level (aggregation multigrid after Vanek; Notay 2010), with
 /// Gauss-Seidel steps.
 class LaplacianSolver {
@@ -42,7 +42,7 @@ class LaplacianSolver {
     std::vector<std::uint32_t> parent;  ///< the coarse node of each node; empty at the coarsest level
     std::vector<double> right, solution;
   };
-  void cycle(std::size_t level);
+  void cycle(std::size_t level, bool from_zero);
   void factorise();
   void solve_coarsest();
 

@@ -126,7 +126,7 @@ FinishResult transport_finish(const Points& points, const FinishOptions& options
     bool taken = false;
     for (int tries = 0; tries < 30 && !taken; ++tries) {
       missing_areas(now, move, missing);
-      solver.solve(missing, 1e-2, 100, change);
+      solver.solve(missing, 0.1, 100, change);
       next.sites.resize(n);
       next.weights.resize(n);
       for (std::size_t i = 0; i < n; ++i) {
