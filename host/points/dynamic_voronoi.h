@@ -41,6 +41,8 @@ class DynamicVoronoi {
   const std::vector<std::uint32_t>& changed() const { return changed_; }
   const Cell& cell(std::uint32_t i) const { return cells_[i]; }
   glm::dvec2 position(std::uint32_t i) const { return positions_[i]; }
+  /// The site nearest to p, in the image nearest to p itself; the search begins at site `near`.
+  Image nearest(glm::dvec2 p, std::uint32_t near) const;
   /// The way from site i to an image.
   glm::dvec2 offset(std::uint32_t i, Image image) const;
 
@@ -49,7 +51,6 @@ class DynamicVoronoi {
 
   /// The square about site i that its own images leave it.
   static void set_whole(Cell& cell, std::uint32_t i);
-  Image nearest(glm::dvec2 p, std::uint32_t near) const;
   /// Finds the cell of i, whose nearest site is `start`, by going around it. False, with no cell, where
   /// rounding or few sites leave doubts.
   bool walk_around(std::uint32_t i, Image start);

@@ -17,7 +17,11 @@ namespace capcon {
 namespace {
 
 constexpr int kPasses = 10;       // between two looks at the mean distance, which may fall for a pass
-constexpr double kEnough = 4e-5;  // a smaller gain by that many passes is the end
+constexpr double kEnough = 4e-4;  // a smaller gain by that many passes is the end
+// A point whose new place is near its old one goes on beyond it by so much of the way, as in overrelaxation:
+// measured, 40 passes then get farther than 110 without.
+constexpr double kBeyond = 0.7;
+constexpr double kNear = 0.1;  // of the empty circle's radius
 
 enum Stream : std::uint64_t { kStart = 0x66706f31, kOrder };
 
@@ -128,6 +132,18 @@ class Optimiser {
     }
     return best;
   }
+  /// A place beyond the centre of the empty circle as seen from the point's old place, if near and still
+  /// better than that; else the centre.
+  glm::dvec2 beyond(std::uint32_t i, std::uint32_t q, glm::dvec2 centre, double before2,
+                    double after2) const {
+    glm::dvec2 step = centre - diagram_.position(i);
+    step -= glm::round(step);
+    if (glm::dot(step, step) > kNear * kNear * after2) return centre;
+    const glm::dvec2 place = wrapped(centre + kBeyond * step);
+    const DynamicVoronoi::Image nearest = diagram_.nearest(place, q);
+    const glm::dvec2 d = diagram_.position(nearest.site) + glm::dvec2(nearest.x, nearest.y) - place;
+    return glm::dot(d, d) > before2 * (1 + 1e-9) ? place : centre;
+  }
   bool move(std::uint32_t i) {
     const double before2 = nearest2(diagram_, i);
     diagram_.remove(i);
@@ -139,7 +155,8 @@ class Optimiser {
     // grow.
     const bool moves = after2 > before2 * (1 + 1e-9);
     if (moves) {
-      diagram_.insert(i, wrapped(diagram_.position(q) + corner_at(diagram_.cell(q), after2)), q);
+      const glm::dvec2 centre = diagram_.position(q) + corner_at(diagram_.cell(q), after2);
+      diagram_.insert(i, beyond(i, q, wrapped(centre), before2, after2), q);
     } else {
       diagram_.undo_remove();
     }
