@@ -137,7 +137,9 @@ void add_tiles_verify(CLI::App& tiles) {
       "its\n"
       "surroundings at a multiple of the tile frequency.\n");
   auto options = std::make_shared<Options>();
-  verb->add_option("file", options->file, "a tile set's file, or: shipped")->required()->type_name("FILE");
+  verb->add_option("file", options->file, "a tile set's file, or a shipped set: c2n16, c2n64, c3n16-compact")
+      ->required()
+      ->type_name("FILE");
   verb->add_option("--tilings", options->tilings, "random tilings of each size")
       ->capture_default_str()
       ->check(CLI::Range(1, 100000));
