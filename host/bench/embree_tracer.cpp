@@ -31,15 +31,25 @@ namespace {
 constexpr std::size_t kStream = 1024;
 
 void set_ray(RTCRayHit& r, const DeviceRay& ray) {
-  r.ray = {ray.origin.x,    ray.origin.y,    ray.origin.z, 0, ray.direction.x, ray.direction.y,
-           ray.direction.z, 0, ray.t_max, 0xffffffffu, 0, 0};
+  r.ray = {ray.origin.x,
+           ray.origin.y,
+           ray.origin.z,
+           0,
+           ray.direction.x,
+           ray.direction.y,
+           ray.direction.z,
+           0,
+           ray.t_max,
+           0xffffffffu,
+           0,
+           0};
   r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   r.hit.primID = RTC_INVALID_GEOMETRY_ID;
   r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 }
 
-void cast_single(RTCScene scene, std::span<const DeviceRay> rays, bool any, const std::vector<std::uint32_t>& ids,
-                 std::vector<DeviceHit>& hits) {
+void cast_single(RTCScene scene, std::span<const DeviceRay> rays, bool any,
+                 const std::vector<std::uint32_t>& ids, std::vector<DeviceHit>& hits) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -50,13 +60,14 @@ void cast_single(RTCScene scene, std::span<const DeviceRay> rays, bool any, cons
       hits[i] = {r.ray.tfar, r.ray.tfar < 0 ? 0 : layout::kNoPrimitive};
     } else {
       rtcIntersect1(scene, &context, &r);
-      hits[i] = {r.ray.tfar, r.hit.primID == RTC_INVALID_GEOMETRY_ID ? layout::kNoPrimitive : ids[r.hit.primID]};
+      hits[i] = {r.ray.tfar,
+                 r.hit.primID == RTC_INVALID_GEOMETRY_ID ? layout::kNoPrimitive : ids[r.hit.primID]};
     }
   }
 }
 
-void cast_wide(RTCScene scene, std::span<const DeviceRay> rays, bool any, const std::vector<std::uint32_t>& ids,
-               std::vector<DeviceHit>& hits) {
+void cast_wide(RTCScene scene, std::span<const DeviceRay> rays, bool any,
+               const std::vector<std::uint32_t>& ids, std::vector<DeviceHit>& hits) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   alignas(64) int valid[16];
@@ -83,8 +94,8 @@ void cast_wide(RTCScene scene, std::span<const DeviceRay> rays, bool any, const 
   }
 }
 
-void cast_stream(RTCScene scene, std::span<const DeviceRay> rays, bool any, const std::vector<std::uint32_t>& ids,
-                 std::vector<DeviceHit>& hits) {
+void cast_stream(RTCScene scene, std::span<const DeviceRay> rays, bool any,
+                 const std::vector<std::uint32_t>& ids, std::vector<DeviceHit>& hits) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -108,9 +119,12 @@ void cast_stream(RTCScene scene, std::span<const DeviceRay> rays, bool any, cons
 
 EmbreeTracer::EmbreeTracer(const Geometry& geometry) : state_(std::make_unique<State>()) {
   std::vector<glm::vec3> vertices;
+  std::vector<bool> known(geometry.triangle_count +
+                          geometry.quadric_count);  // by id: some lie in several leaves
   for (std::size_t slot = 0; slot < geometry.primitives.size() / 3; ++slot) {
     const std::uint32_t id = geometry.primitives[3 * slot].w;
-    if ((id & layout::kQuadricBit) != 0) continue;
+    if ((id & layout::kQuadricBit) != 0 || known[id]) continue;
+    known[id] = true;
     state_->ids.push_back(id);
     for (int k = 0; k < 3; ++k) {
       const glm::uvec4 w = geometry.primitives[3 * slot + k];
@@ -118,7 +132,8 @@ EmbreeTracer::EmbreeTracer(const Geometry& geometry) : state_(std::make_unique<S
     }
   }
   const RTCGeometry mesh = rtcNewGeometry(state_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  void* positions = rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, vertices.size());
+  void* positions =
+      rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, vertices.size());
   std::memcpy(positions, vertices.data(), 12 * vertices.size());
   auto* indices = static_cast<std::uint32_t*>(
       rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, vertices.size() / 3));
@@ -131,15 +146,20 @@ EmbreeTracer::EmbreeTracer(const Geometry& geometry) : state_(std::make_unique<S
   state_->build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-bool EmbreeTracer::available() { return true; }
+bool EmbreeTracer::available() {
+  return true;
+}
 
-void EmbreeTracer::cast(std::span<const DeviceRay> rays, bool any, Call call, std::vector<DeviceHit>& hits) const {
+void EmbreeTracer::cast(std::span<const DeviceRay> rays, bool any, Call call,
+                        std::vector<DeviceHit>& hits) const {
   hits.resize(rays.size());
   const auto cast = call == Call::single ? cast_single : call == Call::wide ? cast_wide : cast_stream;
   cast(state_->scene, rays, any, state_->ids, hits);
 }
 
-double EmbreeTracer::build_seconds() const { return state_->build_seconds; }
+double EmbreeTracer::build_seconds() const {
+  return state_->build_seconds;
+}
 
 }  // namespace capcon
 
@@ -151,9 +171,13 @@ struct EmbreeTracer::State {};
 EmbreeTracer::EmbreeTracer(const Geometry&) {
   throw Failure("this build has no Embree to compare with; install libembree-dev and build again");
 }
-bool EmbreeTracer::available() { return false; }
+bool EmbreeTracer::available() {
+  return false;
+}
 void EmbreeTracer::cast(std::span<const DeviceRay>, bool, Call, std::vector<DeviceHit>&) const {}
-double EmbreeTracer::build_seconds() const { return 0; }
+double EmbreeTracer::build_seconds() const {
+  return 0;
+}
 
 }  // namespace capcon
 

@@ -136,7 +136,7 @@ GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, bool
     }
   });
   {
-    const BinaryTree binary = build_binary_tree(boxes);
+    const BinaryTree binary = build_binary_tree(boxes, primitives);
     tree.boxes = upper_boxes(binary);
     std::vector<Box>().swap(boxes);
     tree.bvh = collapse(binary);

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <future>
 
 #include "base/parallel.h"
 #include "scene/bvh.h"
+#include "scene/bvh_split.h"
 
 namespace capcon {
 
@@ -14,166 +14,177 @@ double Box::half_area() const {
 
 namespace {
 
-constexpr int kBins = 16;
-constexpr std::uint32_t kLeafSize = 4;
-// Costs relative to one primitive test: a visit of a wide node, shared by its children.
-constexpr double kVisitCost = 1.0;
+constexpr std::size_t kLeafSize = 4;
+// A visit of a node relative to one primitive test, by the times that both take on lavapipe.
+constexpr double kVisitCost = 2;
 constexpr std::size_t kParallelSize = 1 << 14;  // smaller ranges are not worth a thread
+// Spatial splits are tried where the halves of the object split overlap by this much of the root's area, and
+// of the node's own.
+constexpr double kRootOverlap = 1e-3, kOwnOverlap = 0.01;
+constexpr double kSpareReferences = 0.3;  // at most so many more, relative to the primitives
 
-struct FloatBox {
-  float low[3], high[3];
-};
+Box to_box(const FloatBox& f) {
+  return {{f.low[0], f.low[1], f.low[2]}, {f.high[0], f.high[1], f.high[2]}};
+}
 
-struct Bin {
-  float low[3] = {3e38f, 3e38f, 3e38f};
-  float high[3] = {-3e38f, -3e38f, -3e38f};
-  std::uint32_t count = 0;
-
-  void add(const FloatBox& b) {
-    for (int a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], b.low[a]);
-      high[a] = std::max(high[a], b.high[a]);
-    }
-    ++count;
+double overlap(const FloatBox& a, const FloatBox& b) {
+  FloatBox o;
+  for (int k = 0; k < 3; ++k) {
+    o.low[k] = std::max(a.low[k], b.low[k]);
+    o.high[k] = std::min(a.high[k], b.high[k]);
   }
-  void add(const Bin& b) {
-    for (int a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], b.low[a]);
-      high[a] = std::max(high[a], b.high[a]);
-    }
-    count += b.count;
-  }
-  double half_area() const {
-    if (count == 0) return 0;
-    const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-    return x * y + y * z + z * x;
-  }
-};
-
-struct Split {
-  int axis = -1;
-  int bin = 0;
-  double cost = 1e300;
-  float origin = 0, scale = 0;
-};
+  return o.half_area();
+}
 
 class Builder {
  public:
-  explicit Builder(std::span<const Box> boxes) : boxes_(boxes), small_(boxes.size()), entries_(boxes.size()) {
-    parallel_for(
-        boxes.size(),
-        [&](std::size_t i) {
-          for (int a = 0; a < 3; ++a) {
-            small_[i].low[a] = static_cast<float>(boxes[i].low[a]);
-            small_[i].high[a] = static_cast<float>(boxes[i].high[a]);
-          }
-          entries_[i] = static_cast<std::uint32_t>(i);
-        },
-        1 << 14);
-    tree_.nodes.resize(2 * boxes.size());
-    int depth = 0;
-    while ((1u << depth) < 2 * thread_count()) ++depth;
-    build(0, 1, 0, boxes.size(), depth);
-    tree_.order = std::move(entries_);
-  }
+  Builder(const Cutter& cutter, double root_area) : cutter_(cutter), root_area_(root_area) {}
 
-  BinaryTree take() { return std::move(tree_); }
-
- private:
-  float centre(std::uint32_t i, int axis) const {
-    return 0.5f * (small_[i].low[axis] + small_[i].high[axis]);
-  }
-
-  /// Builds node `at` over entries [begin, end). Its descendants take nodes from `free` on: 2 (end - begin) -
-  /// 2 of them, so that no two threads ever write to the same place and the layout does not depend on their
-  /// number.
-  void build(std::size_t at, std::size_t free, std::size_t begin, std::size_t end, int parallel_depth) {
-    BinaryNode& node = tree_.nodes[at];
-    Bin bounds, centres;
-    for (std::size_t k = begin; k < end; ++k) {
-      const FloatBox& b = small_[entries_[k]];
-      bounds.add(b);
-      FloatBox c;
-      for (int a = 0; a < 3; ++a) c.low[a] = c.high[a] = 0.5f * (b.low[a] + b.high[a]);
-      centres.add(c);
+  /// Builds node `at` of `tree` over the references; its descendants are appended in an order that does not
+  /// depend on the number of threads. `spare`: how many references may be added below.
+  void build(BinaryTree& tree, std::size_t at, std::vector<Reference> references, std::size_t spare,
+             int parallel_depth) const {
+    FloatBox box, centres;
+    for (const Reference& r : references) {
+      box.add(r);
+      const float c[3] = {r.centre(0), r.centre(1), r.centre(2)};
+      for (int a = 0; a < 3; ++a) {
+        centres.low[a] = std::min(centres.low[a], c[a]);
+        centres.high[a] = std::max(centres.high[a], c[a]);
+      }
     }
-    const std::size_t count = end - begin;
-    const Split split = count > 1 ? best_split(begin, end, centres, bounds.half_area()) : Split{};
-    if (count <= kLeafSize && (split.axis < 0 || split.cost >= static_cast<double>(count))) {
-      make_leaf(node, begin, end);
+    tree.nodes[at].box = to_box(box);
+    const std::size_t count = references.size();
+    const Split object = count > 1 ? best_object_split(references, centres) : Split{};
+    Split spatial;
+    if (spare > 0 && object.axis >= 0) {
+      const double shared = overlap(object.left, object.right);
+      if (shared > kRootOverlap * root_area_ && shared > kOwnOverlap * box.half_area()) {
+        spatial = best_spatial_split(references, box, spare, cutter_);
+      }
+    }
+    const double area = box.half_area(), best = std::min(object.cost, spatial.cost);
+    const double cost = kVisitCost + (area > 0 ? best / area : 0.5 * static_cast<double>(count));
+    if (count <= kLeafSize && (object.axis < 0 || cost >= static_cast<double>(count))) {
+      make_leaf(tree, at, references);
       return;
     }
-    std::size_t middle = begin + count / 2;
-    if (split.axis >= 0) {
-      const auto left = [&](std::uint32_t i) { return bin_of(i, split) <= split.bin; };
-      middle =
-          std::stable_partition(entries_.begin() + begin, entries_.begin() + end, left) - entries_.begin();
-    }  // else all centres coincide: halves by order
-    node.first = static_cast<std::uint32_t>(free);
-    node.count = 0;
-    const std::size_t left_free = free + 2;
-    const std::size_t right_free = left_free + 2 * (middle - begin) - 2;
+    std::vector<Reference> left, right;
+    if (spatial.cost < object.cost) divide_space(references, spatial, left, right);
+    // A cut that rounding leaves without use: all on one side, or nothing gained.
+    if (left.empty() || right.empty() || left.size() >= count || right.size() >= count) {
+      left.clear(), right.clear();
+      divide_objects(references, object, left, right);
+    }
+    std::vector<Reference>().swap(references);
+    spare -= std::min(spare, left.size() + right.size() - count);
+    const std::size_t left_spare = spare * left.size() / (left.size() + right.size());
+
+    const std::size_t first = tree.nodes.size();
+    tree.nodes[at].first = static_cast<std::uint32_t>(first);
+    tree.nodes.resize(first + 2);
     if (parallel_depth > 0 && count > kParallelSize) {
-      auto left =
-          std::async(std::launch::async, [&] { build(free, left_free, begin, middle, parallel_depth - 1); });
-      build(free + 1, right_free, middle, end, parallel_depth - 1);
-      left.get();
+      BinaryTree other;
+      other.nodes.resize(1);
+      auto job = std::async(std::launch::async, [&] {
+        build(other, 0, std::move(right), spare - left_spare, parallel_depth - 1);
+      });
+      build(tree, first, std::move(left), left_spare, parallel_depth - 1);
+      job.get();
+      graft(tree, first + 1, other);
     } else {
-      build(free, left_free, begin, middle, 0);
-      build(free + 1, right_free, middle, end, 0);
+      build(tree, first, std::move(left), left_spare, 0);
+      build(tree, first + 1, std::move(right), spare - left_spare, 0);
     }
-    node.box = tree_.nodes[free].box;
-    node.box.add(tree_.nodes[free + 1].box);
   }
 
-  void make_leaf(BinaryNode& node, std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) node.box.add(boxes_[entries_[k]]);
-    node.first = static_cast<std::uint32_t>(begin);
-    node.count = static_cast<std::uint32_t>(end - begin);
-  }
-
-  int bin_of(std::uint32_t i, const Split& s) const {
-    return std::min(kBins - 1, static_cast<int>((centre(i, s.axis) - s.origin) * s.scale));
-  }
-
-  Split best_split(std::size_t begin, std::size_t end, const Bin& centres, double area) const {
-    Split best;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float extent = centres.high[axis] - centres.low[axis];
-      if (!(extent > 0)) continue;
-      Split split{axis, 0, 0, centres.low[axis], kBins / extent};
-      if (!(split.scale < 3e38f)) continue;  // the centres differ by less than a float can bin
-      std::array<Bin, kBins> bins;
-      for (std::size_t k = begin; k < end; ++k) bins[bin_of(entries_[k], split)].add(small_[entries_[k]]);
-      std::array<double, kBins> right_cost{};
-      Bin right;
-      for (int b = kBins - 1; b > 0; --b) {
-        right.add(bins[b]);
-        right_cost[b] = right.half_area() * right.count;
-      }
-      Bin left;
-      for (int b = 0; b + 1 < kBins; ++b) {
-        left.add(bins[b]);
-        if (left.count == 0 || left.count == end - begin) continue;
-        split.bin = b;
-        const double cost = left.half_area() * left.count + right_cost[b + 1];
-        split.cost = kVisitCost + (area > 0 ? cost / area : static_cast<double>(end - begin) * 0.5);
-        if (split.cost < best.cost) best = split;
-      }
+ private:
+  /// A leaf holds no primitive twice, even where several of its parts came together.
+  static void make_leaf(BinaryTree& tree, std::size_t at, std::span<const Reference> references) {
+    BinaryNode& node = tree.nodes[at];
+    node.first = static_cast<std::uint32_t>(tree.order.size());
+    for (const Reference& r : references) {
+      const auto begin = tree.order.begin() + node.first;
+      if (std::find(begin, tree.order.end(), r.primitive) == tree.order.end())
+        tree.order.push_back(r.primitive);
     }
-    return best;
+    node.count = static_cast<std::uint32_t>(tree.order.size()) - node.first;
   }
 
-  std::span<const Box> boxes_;
-  std::vector<FloatBox> small_;
-  std::vector<std::uint32_t> entries_;
-  BinaryTree tree_;
+  static void divide_objects(std::span<const Reference> references, const Split& split,
+                             std::vector<Reference>& left, std::vector<Reference>& right) {
+    std::size_t k = 0;
+    for (const Reference& r : references) {
+      const bool goes_left =
+          split.axis >= 0 ? r.centre(split.axis) < split.plane : 2 * k++ < references.size();
+      (goes_left ? left : right).push_back(r);
+    }
+  }
+
+  /// What lies across the plane is cut, or goes to one side whole where that is cheaper.
+  void divide_space(std::span<const Reference> references, const Split& split, std::vector<Reference>& left,
+                    std::vector<Reference>& right) const {
+    const double left_cost = split.left.half_area(), right_cost = split.right.half_area();
+    const double cut_cost = left_cost * split.left_count + right_cost * split.right_count;
+    for (const Reference& r : references) {
+      if (r.high[split.axis] <= split.plane || r.low[split.axis] >= split.plane) {
+        (r.high[split.axis] <= split.plane ? left : right).push_back(r);
+        continue;
+      }
+      FloatBox with_left = split.left, with_right = split.right;
+      with_left.add(r);
+      with_right.add(r);
+      const double as_left =
+          with_left.half_area() * split.left_count + right_cost * (split.right_count - 1.0);
+      const double as_right =
+          left_cost * (split.left_count - 1.0) + with_right.half_area() * split.right_count;
+      Reference low, high;
+      const bool whole = std::min(as_left, as_right) < cut_cost;
+      const bool has_low = !whole && cutter_.cut(r, split.axis, r.low[split.axis], split.plane, low);
+      const bool has_high = !whole && cutter_.cut(r, split.axis, split.plane, r.high[split.axis], high);
+      if (has_low) left.push_back(low);
+      if (has_high) right.push_back(high);
+      if (!has_low && !has_high) (as_left <= as_right ? left : right).push_back(r);
+    }
+  }
+
+  /// Appends a tree that was built apart; its root becomes node `at`.
+  static void graft(BinaryTree& tree, std::size_t at, const BinaryTree& other) {
+    const auto node_base = static_cast<std::uint32_t>(tree.nodes.size()) - 1;
+    const auto order_base = static_cast<std::uint32_t>(tree.order.size());
+    const auto moved = [&](BinaryNode node) {
+      node.first += node.count > 0 ? order_base : node_base;
+      return node;
+    };
+    tree.nodes[at] = moved(other.nodes[0]);
+    for (std::size_t n = 1; n < other.nodes.size(); ++n) tree.nodes.push_back(moved(other.nodes[n]));
+    tree.order.insert(tree.order.end(), other.order.begin(), other.order.end());
+  }
+
+  const Cutter& cutter_;
+  double root_area_;
 };
 
 }  // namespace
 
-BinaryTree build_binary_tree(std::span<const Box> boxes) {
-  return Builder(boxes).take();
+BinaryTree build_binary_tree(std::span<const Box> boxes, std::span<const glm::uvec4> triangles) {
+  std::vector<Reference> references(boxes.size());
+  parallel_for(
+      boxes.size(),
+      [&](std::size_t i) { references[i] = make_reference(boxes[i], static_cast<std::uint32_t>(i)); },
+      1 << 14);
+  FloatBox all;
+  for (const Reference& r : references) all.add(r);
+  const Cutter cutter(triangles);
+  const auto spare =
+      cutter.empty() ? 0 : static_cast<std::size_t>(kSpareReferences * static_cast<double>(boxes.size()));
+  int depth = 0;
+  while ((1u << depth) < 2 * thread_count()) ++depth;
+  BinaryTree tree;
+  tree.nodes.resize(1);
+  tree.nodes.reserve(boxes.size());
+  Builder(cutter, all.half_area()).build(tree, 0, std::move(references), spare, depth);
+  return tree;
 }
 
 }  // namespace capcon

@@ -7,10 +7,10 @@
 namespace capcon {
 namespace {
 
-constexpr double kCells = 65535;
-// Boxes grow by this much of a cell before they are rounded outward: more than the device's rounding of a
-// grid coordinate.
-constexpr double kMargin = 1.0 / 32;
+constexpr double kCells = 65535, kMiddle = 32768;
+// Boxes grow by this much of a cell on every side before they are rounded outward: more than the device's
+// rounding of a ray that starts within a few times the scene's size (shaders/tracing/ray.glsl).
+constexpr double kMargin = 0.25;
 
 struct Child {
   std::uint32_t node;  // of the binary tree
@@ -29,8 +29,8 @@ class Collapser {
     const glm::dvec3 extent = box.high - box.low;
     const double largest = std::max({extent.x, extent.y, extent.z, 1e-30});
     for (int a = 0; a < 3; ++a) {
-      // Both rounded to float, as the device has them: the origin downwards, the scale so that the far end still fits. Spare
-      // cells on either side take up the margin and the rounding.
+      // Both rounded to float, as the device has them: the origin downwards, the scale so that the far end
+      // still fits. Spare cells on either side take up the margin and the rounding.
       const double e = std::max(extent[a], largest * 1e-6);
       const double origin = box.low[a] - 2 * e / (kCells - 8);
       auto rounded = static_cast<float>(origin);
@@ -81,12 +81,17 @@ class Collapser {
     return children;
   }
 
-  std::uint32_t plane_pair(const Box& box, int axis) const {
+  /// Half extent and centre on an axis. The device takes the whole word for the centre, so that the half
+  /// extent adds a fraction of a cell to it.
+  std::uint32_t extent_word(const Box& box, int axis) const {
     const double scale = bvh_.grid_scale[axis], origin = bvh_.grid_origin[axis];
-    const double low = std::floor((box.low[axis] - origin) * scale - kMargin);
-    const double high = std::ceil((box.high[axis] - origin) * scale + kMargin);
-    const auto clamp = [](double v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0, kCells)); };
-    return clamp(low) | clamp(high) << 16;
+    const double low = (box.low[axis] - origin) * scale - kMargin - kMiddle;
+    const double high = (box.high[axis] - origin) * scale + kMargin - kMiddle;
+    const double centre = std::floor(0.5 * (low + high));
+    double half = std::max(1.0, std::ceil(0.5 * (high - low)));
+    while (centre + half / 65536 - half > low || centre + half / 65536 + half < high) half += 1;
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(centre)) << 16 |
+           static_cast<std::uint32_t>(half);
   }
 
   void emit(Pending at, std::vector<Pending>& stack) {
@@ -97,12 +102,11 @@ class Collapser {
     const auto first_slot = static_cast<std::uint32_t>(bvh_.order.size());
     bvh_.texels.resize(bvh_.texels.size() + 4 * inner);
     std::array<glm::uvec4, 4> words;
-    // An absent child: low planes above high ones, so that no interval is ever open.
-    words[0] = words[1] = words[2] = glm::uvec4(0x0000ffffu);
+    words[0] = words[1] = words[2] = glm::uvec4(0);
     std::array<std::uint32_t, 4> masks{};
     for (std::uint32_t c = 0; c < children.size(); ++c) {
       const BinaryNode& node = tree_.nodes[children[c].node];
-      for (int axis = 0; axis < 3; ++axis) words[axis][c] = plane_pair(node.box, axis);
+      for (int axis = 0; axis < 3; ++axis) words[axis][c] = extent_word(node.box, axis);
       if (children[c].inner) {
         stack.push_back({children[c].node, first_inner + c});
         continue;

@@ -1,5 +1,5 @@
-// The tree: nodes of four children in 64 bytes, four texels each (host/scene/bvh.h): the x, y and z planes of the children
-// as pairs of 16-bit grid coordinates, then children, first primitive and primitive masks.
+// The tree: nodes of four children in 64 bytes, four texels each (host/scene/bvh.h): the x, y and z extents of the children
+// as centre and half extent of 16 bits each, then children, first primitive and primitive masks.
 //
 // Written for lanes that run in step (docs/tracer.md): no branches but loops; loops test at the bottom; every value that is
 // read after a loop is carried through it, never simply set in it (CONTRIBUTING, "Shaders on lavapipe").
@@ -10,6 +10,7 @@ DATA_TEXELS(kBindPrimitives, primitive_texels);
 #include "tracing/triangle.glsl"
 #include "tracing/quadric.glsl"
 #include "tracing/instances.glsl"
+#include "tracing/lanes.glsl"
 #include "tracing/stack.glsl"
 
 struct Hit {
@@ -19,7 +20,7 @@ struct Hit {
   vec3 weights;
 };
 
-const float kFarther = 1.0000012;  // the far planes' share of the rounding of (plane - origin) * inverse
+const float kFarther = 1.0000012;  // the reach's share of the rounding of a box's distance
 
 vec4 later(vec4 a, vec4 b) { return mix(b, a, greaterThan(a, b)); }
 vec4 sooner(vec4 a, vec4 b) { return mix(b, a, lessThan(a, b)); }
@@ -55,6 +56,52 @@ uint mask_node(uint group) {
   return lowest == 0u ? ~(group >> 4u) : (group >> 4u) + (lowest >> 1u) - (lowest >> 3u);
 }
 
+// What the extents of a node's four children say: `enter`, where the ray gets into each box, and `met`. Half of the multiply,
+// subtract and compare of a test by planes is shared by both planes.
+#define MEET_BOXES(g, x, y, z, reach) \
+  vec4 cx = (vec4(ivec4(x)) - g.origin.x) * g.inverse.x; \
+  vec4 cy = (vec4(ivec4(y)) - g.origin.y) * g.inverse.y; \
+  vec4 cz = (vec4(ivec4(z)) - g.origin.z) * g.inverse.z; \
+  vec4 hx = half_extent(x, g.slack.x) * g.stretch.x; \
+  vec4 hy = half_extent(y, g.slack.y) * g.stretch.y; \
+  vec4 hz = half_extent(z, g.slack.z) * g.stretch.z; \
+  vec4 enter = later(later(cx - hx, cy - hy), later(cz - hz, vec4(zero))); \
+  vec4 leave = sooner(sooner(cx + hx, cy + hy), sooner(cz + hz, vec4(reach))); \
+  bvec4 met = lessThanEqual(enter, leave);
+
+vec4 half_extent(uvec4 word, float slack) {
+  vec4 half_cells = vec4(ivec4(word & 0xffffu));
+  return kInstances != 0u ? half_cells + slack : half_cells;
+}
+
+// Leaves that a lane has found and not yet tested: primitives first + bit, and first1 + bit of the next one. While other lanes
+// look for their first leaf, it goes on to its second (speculative traversal: Aila and Laine 2009).
+#define PENDING \
+  uint first = 0u, mask = 0u; \
+  uint first1 = 0u, mask1 = 0u;
+
+#define PENDING_ADD(leaf, at_slot) \
+  { \
+    bool second = mask != 0u; \
+    mask1 = second ? mask1 | leaf : mask1; \
+    first1 = second && leaf != 0u ? at_slot : first1; \
+    first = second ? first : at_slot; \
+    mask = second ? mask : leaf; \
+  }
+
+// After a test: what is left of the first leaf, or the second in its place.
+#define PENDING_NEXT \
+  { \
+    bool next = mask == 0u; \
+    first = next ? first1 : first; \
+    mask = next ? mask1 : mask; \
+    mask1 = next ? 0u : mask1; \
+  }
+
+// Whether a lane has a node to visit and room for what it finds. In the tree of instances it waits with its first leaf.
+#define CAN_VISIT \
+  (is_node(node) && mask1 == 0u && !STACK_FULL && (kInstances == 0u || mask == 0u || place.instance != kNoNode))
+
 // Whether a ray that starts within the scene's bounds meets anything. Which child comes first hardly matters here, so that
 // nothing is sorted.
 bool occluded(Ray ray, TreeConstants tree, bool live) {
@@ -64,40 +111,33 @@ bool occluded(Ray ray, TreeConstants tree, bool live) {
   bool hit = false;
   STACK
   uint node = 0u;
-  uint first = 0u;
-  uint mask = 0u;  // primitives first + bit that are still to be tested
+  PENDING
+  float zero = min(abs(ray.direction.x), 0.0);  // no constant, so that maxima with it stay one instruction
   do {
     do {
-      uint at = node * 4u;
+      bool run = CAN_VISIT;
+      uint at = (run ? node : 0u) * 4u;
       uvec4 x = FETCH(node_texels, at);
       uvec4 y = FETCH(node_texels, at + 1u);
       uvec4 z = FETCH(node_texels, at + 2u);
       uvec4 links = FETCH(node_texels, at + 3u);
-      vec4 x0 = (vec4(ivec4(x & 0xffffu)) - place.grid.near.x) * place.grid.inverse.x;
-      vec4 x1 = (vec4(ivec4(x >> 16u)) - place.grid.far.x) * place.grid.inverse.x;
-      vec4 y0 = (vec4(ivec4(y & 0xffffu)) - place.grid.near.y) * place.grid.inverse.y;
-      vec4 y1 = (vec4(ivec4(y >> 16u)) - place.grid.far.y) * place.grid.inverse.y;
-      vec4 z0 = (vec4(ivec4(z & 0xffffu)) - place.grid.near.z) * place.grid.inverse.z;
-      vec4 z1 = (vec4(ivec4(z >> 16u)) - place.grid.far.z) * place.grid.inverse.z;
-      vec4 enter = later(later(sooner(x0, x1), sooner(y0, y1)), later(sooner(z0, z1), vec4(0.0)));
-      vec4 leave = sooner(sooner(later(x0, x1), later(y0, y1)), sooner(later(z0, z1), vec4(place.ray.t_max)));
-      if (kInstances != 0u) leave *= kFarther;
-      bvec4 met = lessThanEqual(enter, leave);
+      float reach = place.ray.t_max * kFarther;
+      MEET_BOXES(place.grid, x, y, z, reach)
       uint leaf = (met.x ? links.z & 0xffffu : 0u) | (met.y ? links.z >> 16u : 0u) |
                   (met.z ? links.w & 0xffffu : 0u) | (met.w ? links.w >> 16u : 0u);
       uint inner = ((met.x ? 1u : 0u) | (met.y ? 2u : 0u) | (met.z ? 4u : 0u) | (met.w ? 8u : 0u)) & links.x;
-      mask |= leaf;
-      first = leaf != 0u ? links.y : first;
+      leaf = run ? leaf : 0u;
+      PENDING_ADD(leaf, links.y)
       bool pop = inner == 0u;
       uint group = pop ? s0 : (links.x & ~15u) | inner;
       uint rest = mask_rest(group);
       bool more = (rest & 15u) != 0u;
-      bool push = !pop && more;  // what is left of the children goes on top
-      bool drop = pop && !more;  // the top group is used up
-      s0 = pop && more ? rest : s0;
-      STACK_MOVE(push, drop, rest)
-      node = mask_node(group);
-    } while (is_node(node) && mask == 0u && !STACK_FULL);
+      bool push = run && !pop && more;  // what is left of the children goes on top
+      bool drop = run && pop && !more;  // the top group is used up
+      bool keep = run && pop && more;
+      STACK_MOVE(push, rest, drop, keep, rest)
+      node = run ? mask_node(group) : node;
+    } while (any_lane(is_node(node) && mask == 0u && !STACK_FULL));
     if (kInstances != 0u) take_instances(levels, place, first, mask);
     do {
       bool testing = mask != 0u;
@@ -108,7 +148,9 @@ bool occluded(Ray ray, TreeConstants tree, bool live) {
       vec4 met = meet_primitive(place.ray, place.frame, slot, id);
       bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && id + place.first_id != ray.skip;
       hit = hit || nearer;
+      mask1 = nearer ? 0u : mask1;
       mask = nearer ? 0u : mask;
+      PENDING_NEXT
     } while (mask != 0u);
     STACK_SPILL
     bool refill = node == kNoNode && waiting_count != 0u;
@@ -119,7 +161,7 @@ bool occluded(Ray ray, TreeConstants tree, bool live) {
     node = refill ? mask_node(group) : node;
     if (kInstances != 0u) {
       bool push = switch_level(levels, place, node, ray, tree);
-      STACK_MOVE(push, false, kMaskSentinel)
+      STACK_PUSH(push, kMaskSentinel)
     }
     node = hit ? kNoNode : node;
   } while (node != kNoNode);
@@ -142,30 +184,24 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
   Hit hit = Hit(ray.t_max, kNoPrimitive, 0u, vec3(0.0));
   STACK
   uint node = 0u;
-  uint first = 0u;
-  uint mask = 0u;  // primitives first + bit that are still to be tested
+  PENDING
+  float zero = min(abs(ray.direction.x), 0.0);  // no constant, so that maxima with it stay one instruction
   do {
     do {
-      uint at = node * 4u;
+      bool run = CAN_VISIT;
+      uint at = (run ? node : 0u) * 4u;
       uvec4 x = FETCH(node_texels, at);
       uvec4 y = FETCH(node_texels, at + 1u);
       uvec4 z = FETCH(node_texels, at + 2u);
       uvec4 links = FETCH(node_texels, at + 3u);
-      vec4 x0 = (vec4(ivec4(x & 0xffffu)) - place.grid.near.x) * place.grid.inverse.x;
-      vec4 x1 = (vec4(ivec4(x >> 16u)) - place.grid.far.x) * place.grid.inverse.x;
-      vec4 y0 = (vec4(ivec4(y & 0xffffu)) - place.grid.near.y) * place.grid.inverse.y;
-      vec4 y1 = (vec4(ivec4(y >> 16u)) - place.grid.far.y) * place.grid.inverse.y;
-      vec4 z0 = (vec4(ivec4(z & 0xffffu)) - place.grid.near.z) * place.grid.inverse.z;
-      vec4 z1 = (vec4(ivec4(z >> 16u)) - place.grid.far.z) * place.grid.inverse.z;
-      vec4 enter = later(later(sooner(x0, x1), sooner(y0, y1)), later(sooner(z0, z1), vec4(0.0)));
-      vec4 leave = sooner(sooner(later(x0, x1), later(y0, y1)), sooner(later(z0, z1), vec4(place.ray.t_max))) * kFarther;
-      bvec4 met = lessThanEqual(enter, leave);
+      float reach = place.ray.t_max * kFarther;
+      MEET_BOXES(place.grid, x, y, z, reach)
 
       // Leaves at once into the mask of primitives to test.
       uint leaf = (met.x ? links.z & 0xffffu : 0u) | (met.y ? links.z >> 16u : 0u) |
                   (met.z ? links.w & 0xffffu : 0u) | (met.w ? links.w >> 16u : 0u);
-      mask |= leaf;
-      first = leaf != 0u ? links.y : first;
+      leaf = run ? leaf : 0u;
+      PENDING_ADD(leaf, links.y)
 
       // Inner children, nearest first: sorted as ints, the slot in the two lowest bits of the distance.
       uint inner = links.x & 0xfu;
@@ -188,14 +224,15 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
       uint siblings = base << 8u | (uint(k1) & 3u) << 2u | (uint(k2) & 3u) << 4u | (uint(k3) & 3u) << 6u | (found - 1u);
 
       // Down to the nearest child, the others onto the stack; or up to the next sibling of the top group.
-      bool push = found > 1u;
+      bool push = run && found > 1u;
       bool pop = found == 0u;
-      uint top = s0;
-      bool drop = pop && (top & 3u) <= 1u;
-      s0 = pop ? list_rest(top) : top;
-      STACK_MOVE(push, drop, siblings)
-      node = pop ? list_node(top) : base + (uint(k0) & 3u);
-    } while (is_node(node) && mask == 0u && !STACK_FULL);
+      uint rest = list_rest(s0);
+      uint next_node = pop ? list_node(s0) : base + (uint(k0) & 3u);
+      bool drop = run && pop && rest == 0u;
+      bool keep = run && pop && rest != 0u;
+      STACK_MOVE(push, siblings, drop, keep, rest)
+      node = run ? next_node : node;
+    } while (any_lane(is_node(node) && mask == 0u && !STACK_FULL));
     if (kInstances != 0u) take_instances(levels, place, first, mask);
     do {
       bool testing = mask != 0u;
@@ -212,6 +249,7 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
         hit.instance = nearer ? place.instance : hit.instance;
       }
       hit.weights = nearer ? met.yzw : hit.weights;
+      PENDING_NEXT
     } while (mask != 0u);
     STACK_SPILL
     bool refill = node == kNoNode && waiting_count != 0u;
@@ -223,7 +261,7 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
       Ray world = ray;
       world.t_max = hit.t;
       bool push = switch_level(levels, place, node, world, tree);
-      STACK_MOVE(push, false, kListSentinel)
+      STACK_PUSH(push, kListSentinel)
     }
   } while (node != kNoNode);
   if (kInstances == 0u) hit.t = place.ray.t_max;

@@ -25,8 +25,8 @@ Place world_place(Ray ray, TreeConstants tree, bool inside_bounds) {
   Place p;
   p.ray = ray;
   p.frame = ray_frame(ray.direction);
-  vec3 error = inside_bounds && kInstances == 0u ? vec3(0.0) : (abs(ray.origin) + abs(tree.grid_origin.xyz)) * 1.8e-7;
-  p.grid = to_grid(ray, tree.grid_origin.xyz, tree.grid_scale.xyz, error);
+  vec3 error = inside_bounds && kInstances == 0u ? vec3(0.0) : (abs(ray.origin) + abs(tree.grid_origin.xyz)) * 4.5e-7;
+  p.grid = to_grid(ray, tree.grid_origin.xyz, tree.grid_scale.xyz, error, kInstances != 0u);
   p.scale = 1.0;
   p.instance = kNoNode;
   p.first_id = 0u;
@@ -50,8 +50,8 @@ Place enter_instance(Ray world, uint instance, out uint root) {
   p.ray.skip = world.skip;
   p.frame = ray_frame(p.ray.direction);
   vec4 a = abs(o);
-  vec3 error = (vec3(dot(abs(r0), a), dot(abs(r1), a), dot(abs(r2), a)) + abs(uintBitsToFloat(g0.xyz))) * 3.0e-7;
-  p.grid = to_grid(p.ray, uintBitsToFloat(g0.xyz), uintBitsToFloat(g1.xyz), error);
+  vec3 error = (vec3(dot(abs(r0), a), dot(abs(r1), a), dot(abs(r2), a)) + abs(uintBitsToFloat(g0.xyz))) * 6.0e-7;
+  p.grid = to_grid(p.ray, uintBitsToFloat(g0.xyz), uintBitsToFloat(g1.xyz), error, true);
   p.instance = instance;
   p.first_id = g1.w;
   root = g0.w & ~kWorldInstance;
@@ -60,8 +60,8 @@ Place enter_instance(Ray world, uint instance, out uint root) {
 
 #define CHOOSE(field) p.field = take ? q.field : p.field;
 Place choose(bool take, Place q, Place p) {
-  CHOOSE(ray.origin) CHOOSE(ray.direction) CHOOSE(ray.t_max) CHOOSE(frame.u) CHOOSE(frame.v) CHOOSE(grid.near) CHOOSE(grid.far)
-  CHOOSE(grid.inverse) CHOOSE(scale) CHOOSE(instance) CHOOSE(first_id)
+  CHOOSE(ray.origin) CHOOSE(ray.direction) CHOOSE(ray.t_max) CHOOSE(frame.u) CHOOSE(frame.v) CHOOSE(grid.origin) CHOOSE(grid.inverse)
+  CHOOSE(grid.stretch) CHOOSE(grid.slack) CHOOSE(scale) CHOOSE(instance) CHOOSE(first_id)
   return p;
 }
 #undef CHOOSE

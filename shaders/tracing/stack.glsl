@@ -1,5 +1,5 @@
 // The traversal stack. Its top lies in registers that move by one at a push or a drop: on lavapipe an array is a scalar loop
-// over lanes (measured: six times slower in all), a register two blends. What does not fit waits in an array, which is only
+// over lanes (measured: six times slower in all), a register three blends. What does not fit waits in an array, which is only
 // touched between rounds of the node loop: a lane leaves that loop when its registers are full or empty.
 layout(constant_id = kSpecStackSize) const uint kWaiting = 16u;  // entries the scene's tree can need beyond the registers
 
@@ -8,17 +8,18 @@ layout(constant_id = kSpecStackSize) const uint kWaiting = 16u;  // entries the 
   uint waiting[kWaiting]; \
   uint waiting_count = 0u;
 
-// A push (of `entry`), or a drop of the top; uses the names push, drop and entry of its place.
-#define STACK_MOVE(push, drop, entry) \
-  uint m7 = push ? s6 : (drop ? 0u : s7); \
-  uint m6 = push ? s5 : (drop ? s7 : s6); \
-  uint m5 = push ? s4 : (drop ? s6 : s5); \
-  uint m4 = push ? s3 : (drop ? s5 : s4); \
-  uint m3 = push ? s2 : (drop ? s4 : s3); \
-  uint m2 = push ? s1 : (drop ? s3 : s2); \
-  uint m1 = push ? s0 : (drop ? s2 : s1); \
-  s0 = push ? entry : (drop ? s1 : s0); \
-  s1 = m1; s2 = m2; s3 = m3; s4 = m4; s5 = m5; s6 = m6; s7 = m7;
+// A push of `entry`, or a drop of the top, or (`keep`) `kept` in its place; at most one of them. First what a drop leaves, in
+// values of their own, then the registers from the bottom up: so every register is written when its old value is no longer
+// needed, and the compiler keeps old and new in one place (measured: 8 to 13 % of the whole walk).
+#define STACK_MOVE(push, entry, drop, keep, kept) \
+  { \
+    uint d0 = drop ? s1 : s0, d1 = drop ? s2 : s1, d2 = drop ? s3 : s2, d3 = drop ? s4 : s3; \
+    uint d4 = drop ? s5 : s4, d5 = drop ? s6 : s5, d6 = drop ? s7 : s6, d7 = drop ? 0u : s7; \
+    s7 = push ? s6 : d7; s6 = push ? s5 : d6; s5 = push ? s4 : d5; s4 = push ? s3 : d4; \
+    s3 = push ? s2 : d3; s2 = push ? s1 : d2; s1 = push ? s0 : d1; s0 = push ? entry : (keep ? kept : d0); \
+  }
+
+#define STACK_PUSH(push, entry) STACK_MOVE(push, entry, false, false, 0u)
 
 #define STACK_FULL (s7 != 0u)
 

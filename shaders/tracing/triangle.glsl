@@ -30,8 +30,11 @@ vec4 meet_triangle(Ray ray, RayFrame f, vec3 p0, vec3 p1, vec3 p2) {
   precise float wa = cx * by - cy * bx;
   precise float wb = ax * cy - ay * cx;
   precise float wc = bx * ay - by * ax;
-  float low = min(wa, min(wb, wc));
-  float high = max(wa, max(wb, wc));
+  // Not min() and max(): those take three instructions each for the sake of NaN.
+  float low = wb < wc ? wb : wc;
+  low = wa < low ? wa : low;
+  float high = wb > wc ? wb : wc;
+  high = wa > high ? wa : high;
   float sum = wa + wb + wc;
   float az = dot(a, ray.direction);
   float bz = dot(b, ray.direction);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <functional>
 
 #include "base/hash.h"
@@ -20,13 +22,23 @@ std::vector<Box> random_boxes(int count, double spread) {
   return boxes;
 }
 
-/// Walks the whole tree: every primitive is in one leaf, within every box above it; returns the deepest stack.
+/// What the device takes a word of a node for, in the space of the boxes: the whole word is the centre.
+void decode(const Bvh& bvh, std::uint32_t word, int axis, double& low, double& high) {
+  const double centre = static_cast<std::int32_t>(word) / 65536.0 + 32768;
+  const double half = word & 0xffffu;
+  low = (centre - half) / bvh.grid_scale[axis] + bvh.grid_origin[axis];
+  high = (centre + half) / bvh.grid_scale[axis] + bvh.grid_origin[axis];
+}
+
+/// Walks the whole tree: every primitive is in one leaf, within every box above it; returns the deepest
+/// stack.
 void check_tree(const std::vector<Box>& boxes) {
   const Bvh bvh = build_bvh(boxes);
   ASSERT_EQ(bvh.order.size(), boxes.size());
   std::vector<int> seen(boxes.size(), 0);
   std::uint32_t deepest = 0;
-  const std::function<Box(std::uint32_t, std::uint32_t)> walk = [&](std::uint32_t node, std::uint32_t waiting) {
+  const std::function<Box(std::uint32_t, std::uint32_t)> walk = [&](std::uint32_t node,
+                                                                    std::uint32_t waiting) {
     const glm::uvec4 links = bvh.texels[4 * node + 3];
     Box all;
     std::uint32_t inner = 0;
@@ -46,14 +58,17 @@ void check_tree(const std::vector<Box>& boxes) {
         content.add(boxes[primitive]);
       }
       for (int axis = 0; axis < 3; ++axis) {
-        const std::uint32_t planes = bvh.texels[4 * node + axis][c];
-        const double low = (planes & 0xffffu) / bvh.grid_scale[axis] + bvh.grid_origin[axis];
-        const double high = (planes >> 16) / bvh.grid_scale[axis] + bvh.grid_origin[axis];
-        if (!is_inner && mask == 0) {
-          EXPECT_GT(planes & 0xffffu, planes >> 16) << "an absent child is open";
-        } else {
-          EXPECT_LE(low, content.low[axis]);
-          EXPECT_GE(high, content.high[axis]);
+        if (!is_inner && mask == 0) continue;
+        double low = 0, high = 0;
+        decode(bvh, bvh.texels[4 * node + axis][c], axis, low, high);
+        const double cell = 1 / bvh.grid_scale[axis];
+        EXPECT_LE(low, content.low[axis] - 0.2 * cell) << "the device's rounding is not allowed for";
+        EXPECT_GE(high, content.high[axis] + 0.2 * cell);
+        if (!is_inner) {
+          const double room =
+              4.1 * cell + 1.3e-7 * (std::abs(content.low[axis]) + std::abs(content.high[axis]));
+          EXPECT_GE(low, content.low[axis] - room) << "a box far larger than what it holds";
+          EXPECT_LE(high, content.high[axis] + room);
         }
       }
       if (is_inner || mask != 0) all.add(content);
@@ -92,6 +107,86 @@ TEST(Bvh, IsTheSameForAnyNumberOfThreads) {
   const Bvh one = build_bvh(boxes);
   ::setenv("CAPCON_THREADS", "4", 1);
   const Bvh four = build_bvh(boxes);
+  ::unsetenv("CAPCON_THREADS");
+  EXPECT_EQ(one.order, four.order);
+  EXPECT_EQ(one.texels, four.texels);
+}
+
+/// Small triangles and, every thirtieth, one through the whole cube, as texels, and their boxes.
+std::vector<glm::uvec4> mixed_triangles(int count, std::vector<Box>& boxes) {
+  std::vector<glm::uvec4> texels;
+  boxes.resize(count);
+  for (int i = 0; i < count; ++i) {
+    const auto random = [&](int k) { return uniform64(2, i, k); };
+    const glm::dvec3 from(random(0), random(1), random(2));
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec3 corner(random(3 * k + 3), random(3 * k + 4), random(3 * k + 5));
+      const glm::vec3 p(i % 30 == 0 ? corner : from + 0.01 * corner);
+      boxes[i].add(glm::dvec3(p));
+      texels.emplace_back(std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y),
+                          std::bit_cast<std::uint32_t>(p.z), i);
+    }
+  }
+  return texels;
+}
+
+/// Whether a point of a primitive lies within a leaf that names it and within all boxes above.
+bool finds(const Bvh& bvh, std::uint32_t node, glm::dvec3 p, std::uint32_t primitive) {
+  const glm::uvec4 links = bvh.texels[4 * node + 3];
+  for (int c = 0; c < 4; ++c) {
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      double low = 0, high = 0;
+      decode(bvh, bvh.texels[4 * node + axis][c], axis, low, high);
+      inside = inside && p[axis] >= low && p[axis] <= high;
+    }
+    if (!inside) continue;
+    if ((links.x >> c & 1u) != 0 && finds(bvh, (links.x >> 4) + c, p, primitive)) return true;
+    const std::uint32_t mask = c < 2 ? links.z >> (16 * c) & 0xffffu : links.w >> (16 * (c - 2)) & 0xffffu;
+    for (int bit = 0; bit < 16; ++bit) {
+      if ((mask >> bit & 1u) != 0 && bvh.order[links.y + bit] == primitive) return true;
+    }
+  }
+  return false;
+}
+
+double expected_cost(const BinaryTree& tree) {
+  double cost = 0;
+  for (const BinaryNode& node : tree.nodes)
+    cost += node.box.half_area() * (node.count > 0 ? node.count : 1.0);
+  return cost / tree.nodes[0].box.half_area();
+}
+
+TEST(Bvh, SpatialSplitsLoseNoPointOfATriangle) {
+  std::vector<Box> boxes;
+  const auto texels = mixed_triangles(3000, boxes);
+  const BinaryTree split = build_binary_tree(boxes, texels), whole = build_binary_tree(boxes);
+  EXPECT_GT(split.order.size(), boxes.size() + 100) << "nothing was cut";
+  EXPECT_LE(split.order.size(), 1.3 * boxes.size());
+  EXPECT_LT(expected_cost(split), 0.9 * expected_cost(whole));
+  const Bvh bvh = collapse(split);
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    glm::dvec3 corner[3];
+    for (int k = 0; k < 3; ++k) {
+      const glm::uvec4 t = texels[3 * i + k];
+      corner[k] = {std::bit_cast<float>(t.x), std::bit_cast<float>(t.y), std::bit_cast<float>(t.z)};
+    }
+    for (int j = 0; j < 20; ++j) {
+      double u = j < 3 ? j == 1 : uniform64(3, i, 2 * j), v = j < 3 ? j == 2 : uniform64(3, i, 2 * j + 1);
+      if (u + v > 1) u = 1 - u, v = 1 - v;
+      const glm::dvec3 p = corner[0] + u * (corner[1] - corner[0]) + v * (corner[2] - corner[0]);
+      ASSERT_TRUE(finds(bvh, 0, p, i)) << i << ' ' << j;
+    }
+  }
+}
+
+TEST(Bvh, SpatialSplitsAreTheSameForAnyNumberOfThreads) {
+  std::vector<Box> boxes;
+  const auto texels = mixed_triangles(40000, boxes);
+  ::setenv("CAPCON_THREADS", "1", 1);
+  const Bvh one = collapse(build_binary_tree(boxes, texels));
+  ::setenv("CAPCON_THREADS", "4", 1);
+  const Bvh four = collapse(build_binary_tree(boxes, texels));
   ::unsetenv("CAPCON_THREADS");
   EXPECT_EQ(one.order, four.order);
   EXPECT_EQ(one.texels, four.texels);
