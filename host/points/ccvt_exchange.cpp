@@ -82,21 +82,23 @@ std::uint32_t trade(CcvtCells& cells, std::size_t i, std::size_t j, float limit,
   return count;
 }
 
-/// keys[k] = |p - s|^2 - |p - t|^2 by nearest images; returns the largest.
+/// keys[k] = |p - s|^2 - |p - t|^2 by nearest images; returns the largest. Differences of whole units wrap
+/// around by themselves, so sites are rounded to such: 2^-32 of the torus.
 float compare_images(const CcvtCells& cells, std::size_t s, std::size_t t, std::vector<float>& keys) {
-  const auto distance2 = [&](std::size_t site, std::uint32_t x, std::uint32_t y) {
-    const CcvtSite& to = cells.sites[site];
-    double dx = difference(x, to.centre.x) - to.x, dy = difference(y, to.centre.y) - to.y;
-    dx -= 0x1p32 * std::round(dx * 0x1p-32);
-    dy -= 0x1p32 * std::round(dy * 0x1p-32);
-    return dx * dx + dy * dy;
+  const auto place = [&](const CcvtSite& site) {
+    return TorusPoint{site.centre.x + static_cast<std::uint32_t>(std::llround(site.x)),
+                      site.centre.y + static_cast<std::uint32_t>(std::llround(site.y))};
   };
+  const TorusPoint own = place(cells.sites[s]), other = place(cells.sites[t]);
+  const std::uint32_t* const x = cells.x(s);
+  const std::uint32_t* const y = cells.y(s);
   float largest = -std::numeric_limits<float>::infinity();
   for (std::uint32_t k = 0; k < cells.capacity(); ++k) {
-    const std::uint32_t x = cells.x(s)[k], y = cells.y(s)[k];
-    keys[k] = static_cast<float>(distance2(s, x, y) - distance2(t, x, y));
-    largest = std::max(largest, keys[k]);
+    const double own_x = difference(x[k], own.x), own_y = difference(y[k], own.y);
+    const double other_x = difference(x[k], other.x), other_y = difference(y[k], other.y);
+    keys[k] = static_cast<float>(own_x * own_x + own_y * own_y - (other_x * other_x + other_y * other_y));
   }
+  for (std::uint32_t k = 0; k < cells.capacity(); ++k) largest = keys[k] > largest ? keys[k] : largest;
   return largest;
 }
 

@@ -12,13 +12,9 @@ namespace {
 constexpr std::uint32_t kLarge = 128;  // capacity from which to keep account
 // Blocks of sites whose space points fit into a cache, and do not consist of borders alone.
 constexpr std::uint32_t kBlockPoints = 1u << 16, kLeastBlock = 128;
-constexpr float kWide = 10;  // slacks; radii are near 7 in the end
+constexpr float kWide = 10;     // slacks; radii are near 7 in the end
+constexpr double kUneven = 32;  // sites a grid cell, as a site sees it, from which a tree is faster: even, 3
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
-
-/// How far a circle may move and grow before its pairs are found anew.
-float slack_of(std::size_t n) {
-  return static_cast<float>(0.1 * 0x1p32 / std::sqrt(static_cast<double>(n)));
-}
 
 float distance(TorusPoint a, TorusPoint b) {
   const auto dx = static_cast<float>(difference(b.x, a.x)), dy = static_cast<float>(difference(b.y, a.y));
@@ -83,17 +79,18 @@ void CcvtPairs::forget(std::uint32_t i, const Pair* than) {
 
 std::vector<std::uint32_t> CcvtPairs::stale_sites(const CcvtCells& cells) {
   const std::size_t n = cells.size();
-  const float slack = slack_of(n);
+  slack_ = static_cast<float>(0.1 * 0x1p32 / std::sqrt(static_cast<double>(n)));
   circles_.resize(n);
   std::vector<std::uint32_t> stale, wide;
   for (std::uint32_t i = 0; i < n; ++i) {
     const Circle now = circle_of(cells.sites[i]);
     const Circle& old = circles_[i];
+    const float slack = slack_of(old);
     const float grown = distance(now.centre, old.centre) + now.radius - old.radius;
     if (old.radius < 0 || grown > slack || now.radius < old.radius - 3 * slack) {
       stale.push_back(i);
       circles_[i] = now;
-    } else if (old.radius > kWide * slack) {
+    } else if (old.radius > kWide * slack_) {
       wide.push_back(i);
     }
   }
@@ -132,23 +129,27 @@ std::vector<CcvtPairs::Names> CcvtPairs::find(const std::vector<std::uint32_t>& 
     return static_cast<std::uint32_t>(static_cast<std::uint64_t>(v) * side >> 32);
   };
   std::vector<std::uint32_t> start(static_cast<std::size_t>(side) * side + 1, 0), home(n);
-  const float slack = slack_of(n);
   std::vector<std::uint8_t> is_stale(n, 0);
   for (const std::uint32_t i : stale) is_stale[i] = 1;
   for (std::size_t i = 0; i < n; ++i) {
     home[i] = cell_of(circles_[i].centre.y) * side + cell_of(circles_[i].centre.x);
     ++start[home[i] + 1];
   }
-  for (std::size_t c = 0; c + 1 < start.size(); ++c) start[c + 1] += start[c];
+  double crowd = 0;
+  for (std::size_t c = 0; c + 1 < start.size(); ++c) {
+    crowd += static_cast<double>(start[c + 1]) * start[c + 1];
+    start[c + 1] += start[c];
+  }
+  if (crowd > kUneven * static_cast<double>(n)) return find_uneven(stale, is_stale);
   std::vector<Entry> entries(n);
   {
     std::vector<std::uint32_t> at(start.begin(), start.end() - 1);
     for (std::uint32_t i = 0; i < n; ++i)
-      entries[at[home[i]]++] = {circles_[i].centre, circles_[i].radius + slack, i};
+      entries[at[home[i]]++] = {circles_[i].centre, circles_[i].radius + slack_of(circles_[i]), i};
   }
   for (const std::uint32_t i : stale) {
     const TorusPoint centre = circles_[i].centre;
-    const float reach = circles_[i].radius + slack;
+    const float reach = circles_[i].radius + slack_of(circles_[i]);
     const auto look = [&](std::uint32_t column, std::uint32_t row) {
       const std::size_t cell = static_cast<std::size_t>(row) * side + column;
       for (std::uint32_t e = start[cell]; e < start[cell + 1]; ++e) {
@@ -164,7 +165,7 @@ std::vector<CcvtPairs::Names> CcvtPairs::find(const std::vector<std::uint32_t>& 
       }
     };
     const std::uint32_t x = home[i] % side, y = home[i] / side;
-    const double far = (reach + std::max(reach, (kWide + 1) * slack)) * 0x1p-32 * side + 1;
+    const double far = (reach + std::max(reach, (kWide + 1) * slack_)) * 0x1p-32 * side + 1;
     if (2 * far + 1 >= side) {  // all around the torus: every cell once
       for (std::uint32_t row = 0; row < side; ++row) {
         for (std::uint32_t column = 0; column < side; ++column) look(column, row);
@@ -180,6 +181,17 @@ std::vector<CcvtPairs::Names> CcvtPairs::find(const std::vector<std::uint32_t>& 
       }
     }
   }
+  return found;
+}
+
+std::vector<CcvtPairs::Names> CcvtPairs::find_uneven(const std::vector<std::uint32_t>& stale,
+                                                     const std::vector<std::uint8_t>& is_stale) const {
+  std::vector<float> slacks;
+  for (const Circle& circle : circles_) slacks.push_back(slack_of(circle));
+  const CcvtCircleTree tree(circles_, slacks, is_stale);
+  std::vector<Names> found;
+  for (const std::uint32_t i : stale)
+    tree.overlaps(i, [&](std::uint32_t j) { found.push_back({std::min(i, j), std::max(i, j)}); });
   return found;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "points/ccvt_cells.h"
+#include "points/ccvt_circles.h"
 #include "points/ccvt_exchange.h"
 
 namespace capcon {
@@ -49,21 +51,23 @@ class CcvtPairs {
   void forget(std::uint32_t i, const Pair* than);
 
  private:
-  struct Circle {
-    TorusPoint centre;
-    float radius = -1;
-  };
+  using Circle = CcvtCircle;
   static Circle circle_of(const CcvtSite& site);
   std::vector<std::uint32_t> stale_sites(const CcvtCells& cells);
   struct Names {
     std::uint32_t i, j;
   };
+  /// How far a circle may move and grow before its pairs are found anew.
+  float slack_of(const Circle& circle) const { return std::min(slack_, 0.5f * circle.radius); }
+  std::vector<Names> find_uneven(const std::vector<std::uint32_t>& stale,
+                                 const std::vector<std::uint8_t>& is_stale) const;
   std::vector<Names> find(const std::vector<std::uint32_t>& stale) const;
   void share_out(const std::vector<Names>& found);
   void list_by_site();
 
   bool keeps_account_;
   std::uint32_t block_;  ///< sites a block
+  float slack_ = 0;      ///< of circles that are as large as even sites' ones
   std::vector<Circle> circles_;
   std::vector<Pair> pairs_;
   std::vector<std::size_t> tasks_;      ///< first pair of each task, by phase
