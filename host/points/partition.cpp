@@ -35,6 +35,7 @@ class Partition {
 
   std::vector<std::uint32_t> run() {
     if (subsets_ > 1) {
+      look_up_all();
       for (int pass = 0; pass < kMostPasses && trade_all(); ++pass) {
       }
     }
@@ -79,14 +80,51 @@ class Partition {
       labels_[order[k]] = static_cast<std::uint32_t>(k % subsets_);
   }
 
-  /// Distance from point i to the nearest point of a subset other than itself and `without`. Beyond the list:
-  /// the farthest listed distance, a lower bound.
-  double nearest(std::uint32_t i, std::uint32_t label, std::uint32_t without) const {
+  /// The two nearest points of a subset in a point's list.
+  struct Nearest {
+    double first, second;  ///< beyond the list: the farthest listed distance, a lower bound
+    std::uint32_t point;   ///< the first's; the point itself where none is listed
+  };
+
+  void look_up(std::uint32_t i, std::uint32_t label) {
     const Neighbour* list = &neighbours_[i * listed_];
+    const double last = list[listed_ - 1].distance;
+    Nearest& nearest = nearest_[std::size_t(i) * subsets_ + label];
+    nearest = {last, last, i};
     for (std::size_t k = 0; k < listed_; ++k) {
-      if (labels_[list[k].point] == label && list[k].point != without) return list[k].distance;
+      if (labels_[list[k].point] != label) continue;
+      if (nearest.point != i) {
+        nearest.second = list[k].distance;
+        break;
+      }
+      nearest.first = list[k].distance;
+      nearest.point = list[k].point;
     }
-    return list[listed_ - 1].distance;
+  }
+
+  void look_up_all() {
+    nearest_.resize(points_.size() * subsets_);
+    listed_by_.resize(points_.size());
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      for (std::uint32_t label = 0; label < subsets_; ++label) look_up(i, label);
+      for (std::size_t k = 0; k < listed_; ++k) listed_by_[neighbours_[i * listed_ + k].point].push_back(i);
+    }
+  }
+
+  /// Distance from point i to the nearest point of a subset other than itself and `without`.
+  double nearest(std::uint32_t i, std::uint32_t label, std::uint32_t without) const {
+    const Nearest& nearest = nearest_[std::size_t(i) * subsets_ + label];
+    return nearest.point == without ? nearest.second : nearest.first;
+  }
+
+  void trade(std::uint32_t x, std::uint32_t y) {
+    std::swap(labels_[x], labels_[y]);
+    for (const std::uint32_t moved : {x, y}) {
+      for (const std::uint32_t i : listed_by_[moved]) {
+        look_up(i, labels_[x]);
+        look_up(i, labels_[y]);
+      }
+    }
   }
 
   /// Every point trades with the partner that raises the sum most, if any does. Returns whether anything was
@@ -108,7 +146,7 @@ class Partition {
         }
       }
       if (best != x) {
-        std::swap(labels_[x], labels_[best]);
+        trade(x, best);
         traded = true;
       }
     }
@@ -119,6 +157,8 @@ class Partition {
   std::uint32_t subsets_;
   std::size_t listed_;
   std::vector<Neighbour> neighbours_;
+  std::vector<std::vector<std::uint32_t>> listed_by_;
+  std::vector<Nearest> nearest_;  ///< [point * subsets + label]
   std::vector<std::uint32_t> labels_;
 };
 

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "cli/program.h"
+
+namespace capcon::testing {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string> point_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);)
+    if (line != "#") lines.push_back(line);
+  std::ranges::sort(lines);
+  return lines;
+}
+
+TEST(Tiles, VerifySaysThatTheShippedSetsAreGood) {
+  const Outcome outcome = run("tiles verify c3n16-compact --tilings 4 --untiled 1 --capacity 64 --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(report.at("tiles"), 35);
+  EXPECT_EQ(report.at("colouring"), "apart");
+  EXPECT_EQ(report.at("prefixes").size(), 16u);
+  EXPECT_GE(report.at("least_prefix_delta_mean"), 0.7);
+  EXPECT_LT(report.at("spike").at("ratio"), 3);
+  EXPECT_TRUE(report.at("ok"));
+}
+
+// Farthest-point tiles repeat: said, and the exit code tells.
+TEST(Tiles, MakeAndVerifyFarthestPoints) {
+  const Folder folder;
+  const std::string file = folder / "f.tiles";
+  const Outcome made =
+      run("tiles make --method fpo --starts 1 --rounds 40 --moves 10 --json -o " + file, "CAPCON_THREADS=1");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_GT(json::parse(made.out).at("figures").at("delta_mean"), 0.85);
+  const Outcome verified = run("tiles verify " + file + " --tilings 3 --untiled 1");
+  EXPECT_EQ(verified.exit_code, 1);
+  EXPECT_NE(verified.out.find("farthest-point sets"), std::string::npos);
+  EXPECT_NE(verified.out.find("above 3"), std::string::npos);
+}
+
+TEST(Tiles, SheetIsAPicture) {
+  const Folder folder;
+  const Outcome outcome =
+      run("tiles sheet shipped --tilings 2 --untiled 1 --capacity 16 --scale 0.5 -o " + (folder / "s.png"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(contents(folder / "s.png").substr(1, 3), "PNG");
+  EXPECT_EQ(run("tiles sheet shipped -o " + (folder / "s.txt")).exit_code, 2);
+}
+
+TEST(Tiles, PartitionCutsATilingAndKeepsItsPoints) {
+  const Folder folder;
+  const std::string words = "partition --tiles shipped --width 4 --tiling 3 -k ";
+  const Outcome whole = run(words + "1"), parts = run(words + "4");
+  ASSERT_EQ(parts.exit_code, 0) << parts.err;
+  EXPECT_EQ(point_lines(whole.out).size(), 256u);
+  EXPECT_EQ(point_lines(whole.out), point_lines(parts.out));
+  EXPECT_EQ(std::count(parts.out.begin(), parts.out.end(), '#'), 3);
+  const json figures = json::parse(run(words + "4 --json").out);
+  EXPECT_EQ(figures.at("tiles"), 16);
+  EXPECT_EQ(figures.at("sets").size(), 4u);
+  EXPECT_GT(figures.at("delta_mean_worst"), 0.75);
+  EXPECT_EQ(run("partition -k 2").exit_code, 2);
+  EXPECT_EQ(run("partition --tiles nothing.tiles -k 2").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace capcon::testing
