@@ -1,19 +1,29 @@
-// Rows of speed and quality of the point optimisers: capcon_points_bench [rows...], rows are the names it
-// prints. Seconds are of the processor over all threads; medians over the repeats, each with a seed of its
-// own.
+// Rows of speed and quality of the point optimisers, with the goals that they are held to:
+//
+//   points_bench [--json] [--quick] [rows...]     rows are the names it prints; --quick leaves out long ones
+//
+// Seconds are of the processor over all threads; medians over the repeats, each with a seed of its own. Every
+// figure of quality is evaluated from the points alone, by code that the optimisers do not use. Growth rows
+// run their two sizes in turns.
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
-#include <map>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/parallel.h"
 #include "points/ccvt.h"
+#include "points/fpo.h"
+#include "points/generators.h"
 #include "points/measure.h"
+#include "points/partition.h"
 #include "points/transport.h"
 
 namespace {
@@ -30,90 +40,215 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-struct Row {
-  const char* name;
-  std::uint32_t n, capacity;
-  bool finish;
-  int repeats;
-  double energy_goal, cpu_goal;  ///< 0: none
-};
-
-const Row kRows[] = {
-    {"swaps-1024-64", 1024, 64, false, 9, 0, 0},
-    {"swaps-1024-256", 1024, 256, false, 9, 0, 0},
-    {"swaps-1024-1024", 1024, 1024, false, 9, 1.0483, 0.25},
-    {"swaps-4096-64", 4096, 64, false, 5, 0, 0},
-    {"swaps-4096-256", 4096, 256, false, 5, 0, 0},
-    {"swaps-4096-1024", 4096, 1024, false, 3, 0, 1.3},
-    {"swaps-65536-64", 65536, 64, false, 1, 0, 0},
-    {"swaps-65536-256", 65536, 256, false, 1, 0, 0},
-    {"finish-1024", 1024, 64, true, 9, 1.010, 0.6},
-    {"finish-4096", 4096, 64, true, 5, 0, 3},
-    {"finish-65536", 65536, 64, true, 1, 0, 0},
-    {"swaps-1048576-64", 1048576, 64, false, 1, 0, 0},
-};
-
-/// Later row over earlier: seconds per point may grow by at most so much.
-struct Growth {
-  const char* from;
-  const char* to;
-};
-const Growth kGrowths[] = {{"swaps-4096-64", "swaps-65536-64"},
-                           {"swaps-4096-256", "swaps-65536-256"},
-                           {"finish-4096", "finish-65536"}};
-constexpr double kGrowthGoal = 1.4;
-
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
 
-const char* verdict(bool has_goal, bool met) {
-  return !has_goal ? "" : met ? " met" : " MISSED";
+/// A figure, and the most or least that it should be.
+struct Figure {
+  std::string name;
+  double value = 0;
+  double goal = 0;
+  enum Sense { kNone, kAtMost, kAtLeast } sense = kNone;
+
+  bool met() const { return sense == kAtLeast ? value >= goal : sense == kNone || value <= goal; }
+};
+
+/// Prints figures as they come, and gathers them.
+class Report {
+ public:
+  explicit Report(bool json) : json_(json) {}
+  void row(const std::string& name, const std::vector<Figure>& figures) {
+    std::string line = fmt::format("{:<22}", name);
+    nlohmann::ordered_json entry = {{"row", name}};
+    for (const Figure& f : figures) {
+      line += fmt::format("  {} {:.5g}", f.name, f.value);
+      entry[f.name] = {{"value", f.value}};
+      if (f.sense == Figure::kNone) continue;
+      const char* verdict = f.met() ? "met" : "MISSED";
+      line += fmt::format(" ({} {:g}: {})", f.sense == Figure::kAtMost ? "<=" : ">=", f.goal, verdict);
+      entry[f.name]["goal"] = f.goal;
+      entry[f.name]["met"] = f.met();
+      missed_ += !f.met();
+    }
+    rows_.push_back(entry);
+    if (!json_) fmt::print("{}\n", line);
+    std::fflush(stdout);
+  }
+  int end() const {
+    if (json_)
+      fmt::print("{}\n", nlohmann::ordered_json{{"threads", thread_count()}, {"rows", rows_}}.dump(1));
+    else
+      fmt::print("{} figures missed\n", missed_);
+    return missed_ > 0 ? 1 : 0;
+  }
+
+ private:
+  bool json_;
+  int missed_ = 0;
+  nlohmann::ordered_json rows_ = nlohmann::ordered_json::array();
+};
+
+/// Processor and wall seconds of a task.
+struct Clocked {
+  double cpu = 0, wall = 0;
+};
+Clocked clocked(const std::function<void()>& task) {
+  const double cpu = cpu_seconds(), wall = wall_seconds();
+  task();
+  return {cpu_seconds() - cpu, wall_seconds() - wall};
 }
 
-/// Runs a row and prints it; returns processor seconds a point.
-double run(const Row& row) {
-  std::vector<double> cpu, wall, energy, transport;
+Points ccvt_points(std::uint32_t n, std::uint32_t capacity, bool finish, std::uint64_t seed) {
+  CcvtOptions options;
+  options.sites = n;
+  options.capacity = capacity;
+  options.finish = finish;
+  options.seed = seed;
+  return ccvt(options).points;
+}
+
+struct CcvtRow {
+  const char* name;
+  std::uint32_t n, capacity;
+  bool finish;
+  int repeats;
+  double energy_goal, cpu_goal;  ///< 0: none
+  bool is_long = false;
+};
+const CcvtRow kCcvtRows[] = {
+    {"swaps-1024-64", 1024, 64, false, 9, 0, 0},
+    {"swaps-1024-256", 1024, 256, false, 9, 0, 0},
+    {"swaps-1024-1024", 1024, 1024, false, 21, 1.0483, 0.25},
+    {"swaps-4096-1024", 4096, 1024, false, 5, 0, 1.3},
+    {"finish-1024", 1024, 64, true, 21, 1.010, 0.6},
+    {"finish-4096", 4096, 64, true, 5, 0, 3},
+    {"million", 1048576, 64, false, 1, 0, 0, true},
+};
+
+void run(const CcvtRow& row, Report& report) {
+  std::vector<double> cpu, wall, energies;
   for (int r = 0; r < row.repeats; ++r) {
-    CcvtOptions options;
-    options.sites = row.n;
-    options.capacity = row.capacity;
-    options.finish = row.finish;
-    options.seed = static_cast<std::uint64_t>(r) + 1;
-    const double cpu_start = cpu_seconds(), wall_start = wall_seconds();
-    const Points points = ccvt(options).points;
-    cpu.push_back(cpu_seconds() - cpu_start);
-    wall.push_back(wall_seconds() - wall_start);
-    double sum = 0;
-    for (const VoronoiCell& cell : voronoi_cells(points)) sum += cell.second_moment;
-    energy.push_back(row.n * sum / kHexagonEnergy);
-    transport.push_back(transport_energy(points));
+    Points points;
+    const Clocked time = clocked(
+        [&] { points = ccvt_points(row.n, row.capacity, row.finish, static_cast<std::uint64_t>(r) + 1); });
+    cpu.push_back(time.cpu);
+    wall.push_back(time.wall);
+    if (row.is_long) {
+      rusage usage{};
+      ::getrusage(RUSAGE_SELF, &usage);
+      const double gib = static_cast<double>(usage.ru_maxrss) / (1 << 20);
+      energies.push_back(measure(points).energy);
+      report.row(row.name, {{"cpu_s", time.cpu},
+                            {"wall_s", time.wall},
+                            {"peak_gib", gib, 4, Figure::kAtMost},
+                            {"energy", energies.back()}});
+      return;
+    }
+    energies.push_back(transport_energy(points));
   }
-  const double seconds = median(cpu), e_ot = median(transport);
-  fmt::print(
-      "{:<18} cpu {:8.3f} s (least {:.3f}){:<7} wall {:8.3f} s  {:6.1f} us/point  E {:.4f}  E_ot {:.4f}{}\n",
-      row.name, seconds, *std::min_element(cpu.begin(), cpu.end()),
-      verdict(row.cpu_goal > 0, seconds <= row.cpu_goal), median(wall), 1e6 * seconds / row.n, median(energy),
-      e_ot, verdict(row.energy_goal > 0, e_ot <= row.energy_goal));
-  std::fflush(stdout);
-  return seconds / row.n;
+  const auto sense = [](double goal) { return goal > 0 ? Figure::kAtMost : Figure::kNone; };
+  report.row(row.name, {{"cpu_s", median(cpu), row.cpu_goal, sense(row.cpu_goal)},
+                        {"wall_s", median(wall)},
+                        {"us_a_point", 1e6 * median(cpu) / row.n},
+                        {"e_ot", median(energies)},
+                        {"e_ot_worst", *std::max_element(energies.begin(), energies.end()), row.energy_goal,
+                         sense(row.energy_goal)}});
+}
+
+/// Processor seconds a point may grow by 1.4 from 4096 points to 65,536.
+struct GrowthRow {
+  const char* name;
+  std::uint32_t capacity;
+  bool finish;
+};
+const GrowthRow kGrowthRows[] = {
+    {"growth-swaps-64", 64, false},
+    {"growth-swaps-1024", 1024, false},
+    {"growth-finish", 64, true},
+};
+
+void run(const GrowthRow& row, Report& report) {
+  constexpr std::uint32_t kFew = 4096, kMany = 65536;
+  const auto seconds = [&](std::uint32_t n, std::uint64_t seed) {
+    return clocked([&] { ccvt_points(n, row.capacity, row.finish, seed); }).cpu / n;
+  };
+  std::vector<double> few{seconds(kFew, 1), seconds(kFew, 2)};
+  const double many = seconds(kMany, 1);
+  few.push_back(seconds(kFew, 3));
+  few.push_back(seconds(kFew, 4));
+  double mean = 0;
+  for (const double s : few) mean += s / static_cast<double>(few.size());
+  report.row(row.name, {{"us_a_point_4096", 1e6 * mean},
+                        {"us_a_point_65536", 1e6 * many},
+                        {"ratio", many / mean, 1.4, Figure::kAtMost}});
+}
+
+void run_fpo(std::uint32_t n, int repeats, double cpu_goal, Report& report) {
+  std::vector<double> cpu, least, mean;
+  for (int r = 0; r < repeats; ++r) {
+    FpoOptions options;
+    options.n = n;
+    options.seed = static_cast<std::uint64_t>(r) + 1;
+    Points points;
+    cpu.push_back(clocked([&] { points = fpo(options); }).cpu);
+    const Measures m = measure(points);
+    least.push_back(m.delta_min);
+    mean.push_back(m.delta_mean);
+  }
+  report.row(fmt::format("fpo-{}", n),
+             {{"cpu_s", median(cpu), cpu_goal, cpu_goal > 0 ? Figure::kAtMost : Figure::kNone},
+              {"delta_min", median(least)},
+              {"delta_min_worst", *std::min_element(least.begin(), least.end()), 0.925, Figure::kAtLeast},
+              {"delta_mean", median(mean)},
+              {"delta_mean_worst", *std::min_element(mean.begin(), mean.end()), 0.932, Figure::kAtLeast}});
+}
+
+/// The text's example of a partition: 1024 points in 8 subsets, delta_mean 0.807 to 0.817, mean 0.810.
+void run_partition(Report& report) {
+  const Points points = generate("ccvt", {1024, 1, 64});
+  std::vector<Points> subsets;
+  const Clocked time = clocked([&] { subsets = split(points, partition(points, {8, 1}), 8); });
+  double mean = 0, worst = 1;
+  for (const Points& subset : subsets) {
+    const double delta = measure(subset).delta_mean;
+    mean += delta / static_cast<double>(subsets.size());
+    worst = std::min(worst, delta);
+  }
+  report.row(
+      "partition-8x128",
+      {{"cpu_s", time.cpu}, {"delta_mean", mean, 0.807, Figure::kAtLeast}, {"delta_mean_worst", worst}});
 }
 
 }  // namespace
 
 int main(int count, char** words) {
-  const std::vector<std::string> wanted(words + 1, words + count);
-  fmt::print("{} threads; medians\n", thread_count());
-  std::map<std::string, double> per_point;
-  for (const Row& row : kRows) {
-    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), row.name) != wanted.end())
-      per_point[row.name] = run(row);
+  std::vector<std::string> wanted;
+  bool json = false, quick = false;
+  for (int k = 1; k < count; ++k) {
+    const std::string word = words[k];
+    if (word == "--json")
+      json = true;
+    else if (word == "--quick")
+      quick = true;
+    else
+      wanted.push_back(word);
   }
-  for (const Growth& growth : kGrowths) {
-    if (!per_point.count(growth.from) || !per_point.count(growth.to)) continue;
-    const double ratio = per_point[growth.to] / per_point[growth.from];
-    fmt::print("seconds per point, {} to {}: x {:.2f}{}\n", growth.from, growth.to, ratio,
-               verdict(true, ratio <= kGrowthGoal));
+  const auto is_wanted = [&](const std::string& name, bool is_long) {
+    if (wanted.empty()) return !(quick && is_long);
+    return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+  };
+  if (!json) fmt::print("{} threads; medians over seeds\n", thread_count());
+  Report report(json);
+  for (const CcvtRow& row : kCcvtRows) {
+    if (is_wanted(row.name, row.is_long)) run(row, report);
   }
+  for (const GrowthRow& row : kGrowthRows) {
+    if (is_wanted(row.name, true)) run(row, report);
+  }
+  if (is_wanted("fpo-1024", false)) run_fpo(1024, 11, 0, report);
+  if (is_wanted("fpo-4096", false)) run_fpo(4096, 7, 2, report);
+  if (is_wanted("partition-8x128", false)) run_partition(report);
+  return report.end();
 }
