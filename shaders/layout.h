@@ -38,6 +38,7 @@ CAPCON_CONST kSpecJittered = 3u;     // 1: image samples lie at points of the sa
 CAPCON_CONST kSpecAnyHit = 4u;       // rays.comp: 1: any hit will do, 0: the closest
 CAPCON_CONST kSpecInstances = 5u;    // 1: the scene's tree is one of instances, each with a tree of its own
 CAPCON_CONST kSpecDetails = 6u;      // 1: primary.comp writes what shading needs: normal, uv, material
+CAPCON_CONST kSpecOrdered = 7u;      // 1: a pixel's samples are taken in the order of kBindOrder
 
 // Bindings of every kernel; those that a kernel does not name are left out of its layout.
 CAPCON_CONST kBindNodes = 0u;       // data texels: four a BVH node
@@ -52,7 +53,8 @@ CAPCON_CONST kBindHits = 8u;        // distance and primitive of each ray, stora
 CAPCON_CONST kBindInstances = 9u;   // data texels: eight an instance
 CAPCON_CONST kBindDetails = 10u;    // data texels: three a primitive, what shading needs of it
 CAPCON_CONST kBindShading = 11u;    // what shading needs of each pixel: two texels, storage
-CAPCON_CONST kBindCount = 12u;
+CAPCON_CONST kBindOrder = 12u;     // data texels: the order of a pixel's samples, one word each (occlusion.comp)
+CAPCON_CONST kBindCount = 13u;
 
 // Ids in a primitive's first texel (word 3): triangles count from 0, quadrics carry this bit and their index.
 CAPCON_CONST kQuadricBit = 0x80000000u;

@@ -13,6 +13,8 @@ layout(push_constant, std430) uniform Push { OcclusionConstants push; };
 #include "tracing/bvh.glsl"
 
 DATA_TEXELS(kBindSurfaces, surface_texels);
+DATA_TEXELS(kBindOrder, order_texels);
+layout(constant_id = kSpecOrdered) const uint kOrdered = 0u;
 layout(set = 0, binding = kBindCounts, std430) buffer Counts { uint counts[]; };
 
 void main() {
@@ -21,6 +23,7 @@ void main() {
   uint local = group * kGroupSize + gl_LocalInvocationIndex;
   uint pixel_in_batch = local / max(push.samples, 1u);  // 0 samples: the warm-up run
   uint index = push.first_sample + local - pixel_in_batch * push.samples;
+  if (kOrdered != 0u) index = FETCH(order_texels, index).x;  // neighbouring lanes get neighbouring directions
   bool inside = pixel_in_batch < push.pixel_count;
   uint pixel = push.first_pixel + (inside ? pixel_in_batch : 0u);
   uint place = pixel - push.band;

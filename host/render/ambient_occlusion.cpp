@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "render/dispatch.h"
+#include "render/sample_order.h"
 
 namespace capcon {
 namespace {
@@ -36,12 +37,15 @@ class Pass {
     auto start = Clock::now();
     const auto sampler = make_sampler(job_.sampler, job_.samples, job_.seed);
     tables_ = sampler->tables();
-    s_.set_sampler(tables_);
-    result_.timings.wall["points"] = seconds_since(start);
     const bool jittered = job_.position == PixelPosition::jittered;
+    // All samples of a pixel are added up, so that their order is free; not so where each has a place in the
+    // pixel.
+    const std::vector<glm::uvec4> order = jittered ? std::vector<glm::uvec4>() : sample_order(*sampler);
+    s_.set_sampler(tables_, order);
+    result_.timings.wall["points"] = seconds_since(start);
     // Rays from pixel centres need no sampler: one kernel serves all.
     primary_ = &s_.kernel("primary", jittered ? tables_.id : layout::kSamplerRandom, jittered);
-    occlusion_ = &s_.kernel("occlusion", tables_.id, false);
+    occlusion_ = &s_.kernel("occlusion", tables_.id, false, !order.empty());
     result_.timings.wall["compile"] = s_.kernels.take_compile_seconds();
     result_.first_dispatch = Clock::now();
     for (std::uint32_t done = 0; done < pixels_; done += band_pixels_) {

@@ -40,7 +40,7 @@ const std::map<std::string, Description>& descriptions() {
       {"occlusion",
        {k_occlusion_texel_spirv,
         k_occlusion_storage_spirv,
-        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindInstances, kBindSampler, kBindSurfaces},
+        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindInstances, kBindSampler, kBindSurfaces, kBindOrder},
         {kBindCounts},
         sizeof(OcclusionConstants)}},
       {"rays",

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "render/geometry.h"
+#include "render/sample_order.h"
 
 namespace capcon {
 namespace {
@@ -98,15 +99,17 @@ void RendererState::upload(const Scene& scene, const Geometry& geometry) {
   shading = gpu::Buffer(device, features.details ? 32 * band_pixels : 16, gpu::Memory::device);
   counts = gpu::Buffer(device, 4 * band_pixels, gpu::Memory::host);
   sampler_table = gpu::Buffer(device, 16, gpu::Memory::device);
+  order = gpu::Buffer(device, 16, gpu::Memory::device);
   tree.grid_origin = glm::vec4(glm::vec3(geometry.bvh.grid_origin), 0);
   tree.grid_scale = glm::vec4(glm::vec3(geometry.bvh.grid_scale), 0);
 }
 
 void RendererState::compile_for(const AmbientOcclusionJob& job) {
   const bool jittered = job.position == PixelPosition::jittered;
-  const std::uint32_t sampler = make_sampler(job.sampler, 1, 1)->tables().id;
-  kernels.prepare("primary", constants(jittered ? sampler : layout::kSamplerRandom, jittered));
-  kernels.prepare("occlusion", constants(sampler, false));
+  const auto sampler = make_sampler(job.sampler, job.samples, job.seed);
+  const std::uint32_t id = sampler->tables().id;
+  kernels.prepare("primary", constants(jittered ? id : layout::kSamplerRandom, jittered, false));
+  kernels.prepare("occlusion", constants(id, false, !jittered && !sample_order(*sampler).empty()));
 }
 
 void RendererState::bind_all(gpu::Kernel& kernel) const {
@@ -116,30 +119,38 @@ void RendererState::bind_all(gpu::Kernel& kernel) const {
   kernel.bind(layout::kBindInstances, instances);
   kernel.bind(layout::kBindDetails, details);
   kernel.bind(layout::kBindSampler, sampler_table);
+  kernel.bind(layout::kBindOrder, order);
   kernel.bind(layout::kBindSurfaces, surfaces);
   kernel.bind(layout::kBindShading, shading);
   kernel.bind(layout::kBindCounts, counts);
   kernel.bind(layout::kBindPoints, counts);  // until its reader binds its own
 }
 
-void RendererState::set_sampler(const SamplerTables& tables) {
-  const std::size_t bytes = 16 * tables.texels.size();
-  if (bytes > sampler_table.bytes()) {
-    sampler_table = gpu::Buffer(device, bytes, gpu::Memory::device);
-    for (gpu::Kernel* kernel : bound_) kernel->bind(layout::kBindSampler, sampler_table);
+void RendererState::grow(gpu::Buffer& buffer, std::uint32_t binding, const std::vector<glm::uvec4>& texels) {
+  const std::size_t bytes = 16 * texels.size();
+  if (bytes > buffer.bytes()) {
+    buffer = gpu::Buffer(device, bytes, gpu::Memory::device);
+    for (gpu::Kernel* kernel : bound_) kernel->bind(binding, buffer);
   }
-  sampler_table.upload(tables.texels.data(), bytes);
+  buffer.upload(texels.data(), bytes);
 }
 
-Constants RendererState::constants(std::uint32_t sampler_id, bool jittered) const {
+void RendererState::set_sampler(const SamplerTables& tables, const std::vector<glm::uvec4>& sample_order) {
+  grow(sampler_table, layout::kBindSampler, tables.texels);
+  grow(order, layout::kBindOrder, sample_order);
+}
+
+Constants RendererState::constants(std::uint32_t sampler_id, bool jittered, bool ordered) const {
   Constants all = scene_constants;
   all[layout::kSpecSampler] = sampler_id;
   all[layout::kSpecJittered] = jittered || features.jittered ? 1 : 0;
+  all[layout::kSpecOrdered] = ordered ? 1 : 0;
   return all;
 }
 
-gpu::Kernel& RendererState::kernel(const std::string& name, std::uint32_t sampler_id, bool jittered) {
-  return kernels.get(name, constants(sampler_id, name == "primary" && jittered), [&](gpu::Kernel& kernel) {
+gpu::Kernel& RendererState::kernel(const std::string& name, std::uint32_t sampler_id, bool jittered,
+                                   bool ordered) {
+  return kernels.get(name, constants(sampler_id, jittered, ordered), [&](gpu::Kernel& kernel) {
     bind_all(kernel);
     bound_.push_back(&kernel);
   });

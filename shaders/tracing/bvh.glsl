@@ -33,8 +33,14 @@ vec4 meet_primitive(Ray ray, RayFrame frame, uint slot, out uint id) {
   vec4 met = meet_triangle(ray, frame, uintBitsToFloat(w0.xyz), uintBitsToFloat(w1.xyz), uintBitsToFloat(w2.xyz));
   if (kHasQuadrics != 0u) {
     bool quadric = (w0.w & kQuadricBit) != 0u;
-    float t = meet_quadric(ray, quadric ? w0.w & ~kQuadricBit : 0u, 0.0);
-    met = quadric ? vec4(t, 0.0, 0.0, 0.0) : met;
+    vec4 other = met;
+    bool waits = quadric;
+    while (waits) {  // a jump over it all where no lane has one
+      float t = meet_quadric(ray, waits ? w0.w & ~kQuadricBit : 0u, 0.0);
+      other = waits ? vec4(t, 0.0, 0.0, 0.0) : other;
+      waits = false;
+    }
+    met = other;
   }
   id = w0.w;
   return met;
