@@ -37,8 +37,11 @@ std::vector<Points> make_sets(const Options& options, bool& stopped) {
   Region region;
   if (options.domain != "torus") region.domain = options.domain == "disk" ? Domain::kDisk : Domain::kSquare;
   if (!options.density.empty()) region.density = read_density(options.density);
-  if (options.finish == "transport" && !region.is_plain_torus())
-    throw InputError("--finish transport is for even points on the torus; leave out --density and --domain");
+  if (options.finish == "transport" && (region.density || region.domain == Domain::kDisk)) {
+    throw InputError(
+        "--finish transport is for even points on the torus or the square; leave out --density and --domain "
+        "disk");
+  }
   const double end = wall_seconds() + options.time_limit;
   Progress progress("points", options.count, options.quiet);
   for (std::uint32_t s = 0; s < options.count; ++s) {

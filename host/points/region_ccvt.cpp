@@ -14,6 +14,7 @@
 #include "points/lattice.h"
 #include "points/measure.h"
 #include "points/site_tree.h"
+#include "points/transport_finish.h"
 
 namespace capcon {
 
@@ -164,6 +165,7 @@ void check(const CcvtOptions& options) {
 
 RegionCells region_ccvt_cells(const Region& region, const CcvtOptions& options) {
   check(options);
+  if (options.finish) throw InputError("the transport finish has no cells of space points; see region_ccvt");
   RegionOptimiser optimiser(region, options);
   CcvtCells cells = optimiser.run();
   RegionCells result;
@@ -177,7 +179,28 @@ RegionCells region_ccvt_cells(const Region& region, const CcvtOptions& options) 
 }
 
 Points region_ccvt(const Region& region, const CcvtOptions& options) {
-  return region_ccvt_cells(region, options).sites;
+  if (!options.finish) return region_ccvt_cells(region, options).sites;
+  if (region.domain != Domain::kSquare || region.density)
+    throw InputError("the transport finish is for even points on the torus or the square");
+  constexpr double kSwapShare = 0.1;  // of the time
+  CcvtOptions swaps = options;
+  swaps.finish = false;
+  swaps.capacity = std::min(options.capacity, 64u);
+  bool stopped = false;
+  if (options.on_progress) swaps.on_progress = [&](double part) { options.on_progress(kSwapShare * part); };
+  if (options.stop) swaps.stop = [&] { return stopped = stopped || options.stop(); };
+  Points points = region_ccvt(region, swaps);
+  if (stopped) return points;
+  FinishOptions finish;
+  finish.square = true;
+  finish.stop = [&](int round, double) {
+    if (options.on_progress)
+      options.on_progress(kSwapShare + (1 - kSwapShare) * std::min(1.0, round / 150.0));
+    return options.stop && options.stop();
+  };
+  points = transport_finish(points, finish).points;
+  if (options.on_progress) options.on_progress(1);
+  return points;
 }
 
 }  // namespace capcon

@@ -10,6 +10,7 @@
 #include "base/hash.h"
 #include "points/descent.h"
 #include "points/measure.h"
+#include "points/mirrors.h"
 #include "points/transport.h"
 #include "points/voronoi.h"
 
@@ -29,7 +30,7 @@ struct Place {
   std::vector<glm::dvec2> gradient;  ///< site - centroid
   double energy = 0;                 ///< dual value: to second order in the areas' errors the balanced energy
 
-  void assess() {
+  void assess(bool square) {
     const double share = 1 / static_cast<double>(sites.size());
     gradient.resize(sites.size());
     double sum = 0;
@@ -38,6 +39,7 @@ struct Place {
       gradient[i] = -m.first / m.area;
       sum += m.second - weights[i] * (m.area - share);
     }
+    if (square) make_alike(gradient);
     energy = static_cast<double>(sites.size()) * sum / kHexagonEnergy;
   }
 };
@@ -95,18 +97,19 @@ Points parted(const Points& points) {
 
 FinishResult transport_finish(const Points& points, const FinishOptions& options) {
   FinishResult result;
-  const std::size_t n = points.size();
-  if (n == 0) return result;
+  if (points.empty()) return result;
+  const bool square = options.square;
+  const std::size_t n = square ? 4 * points.size() : points.size();
   const std::vector<double> shares(n, 1 / static_cast<double>(n));
   Place now, next;
   {
-    Transport start(parted(points), shares);
+    Transport start(square ? mirrored(parted(points)) : parted(points), shares);
     start.balance(1e-3);
     now.sites = start.sites();
     now.weights = start.weights();
     now.diagram = start.diagram();
   }
-  now.assess();
+  now.assess(square);
   DescentMemory memory(kMemory);
   LaplacianSolver solver;
   std::vector<double> missing, change;
@@ -127,6 +130,7 @@ FinishResult transport_finish(const Points& points, const FinishOptions& options
     for (int tries = 0; tries < 30 && !taken; ++tries) {
       missing_areas(now, move, missing);
       solver.solve(missing, 0.1, 100, change);
+      if (square) make_alike(change), make_alike(move);
       next.sites.resize(n);
       next.weights.resize(n);
       for (std::size_t i = 0; i < n; ++i) {
@@ -134,7 +138,7 @@ FinishResult transport_finish(const Points& points, const FinishOptions& options
         next.weights[i] = now.weights[i] + change[i];
       }
       if (next.diagram.compute(next.sites, next.weights, &now.diagram, kLeastArea / static_cast<double>(n))) {
-        next.assess();
+        next.assess(square);
         taken = next.energy <= now.energy;
       }
       if (!taken && !memory.empty()) {
@@ -159,6 +163,7 @@ FinishResult transport_finish(const Points& points, const FinishOptions& options
   end.balance(1e-10);
   result.energy = static_cast<double>(n) * end.cost() / kHexagonEnergy;
   result.area_error = end.area_error();
+  if (square) result.points = unmirrored(result.points);
   return result;
 }
 

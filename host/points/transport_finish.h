@@ -16,11 +16,14 @@ struct FinishOptions {
   /// ... or when this says so, asked before each round with the number of rounds and the energy E_ot; may be
   /// empty.
   std::function<bool(int round, double energy)> stop;
+  /// In the unit square, whose sides do not meet, instead of the torus: power cells end at the sides. Costs
+  /// four times as much.
+  bool square = false;
 };
 
 struct FinishResult {
   Points points;
-  double energy = 0;      ///< E_ot of the points, power cells balanced
+  double energy = 0;      ///< E_ot of the points, power cells balanced (in the square: with cells cut off)
   double area_error = 0;  ///< largest |n area - 1| of the power cells
   int rounds = 0;
   bool stopped = false;  ///< by `stop`

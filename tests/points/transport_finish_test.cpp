@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 
+#include "base/error.h"
 #include "points/ccvt.h"
 #include "points/generators.h"
 #include "points/measure.h"
+#include "points/region_ccvt.h"
 #include "points/transport.h"
 
 namespace capcon {
@@ -133,6 +136,44 @@ TEST(Ccvt, StopsWithAValidSet) {
     EXPECT_TRUE(result.capacity == 16 || result.capacity == 64 || result.capacity == 256) << result.capacity;
     EXPECT_GT(measure(result.points).delta_mean, 0.6);
   }
+}
+
+/// In the square: cells of equal area, cut off at the sides, by counting; better than swaps; two points at
+/// the places that are known; and never outside.
+TEST(TransportFinish, KnowsTheSquare) {
+  FinishOptions square;
+  square.square = true;
+  const FinishResult two = transport_finish({{0.3, 0.2}, {0.6, 0.9}}, square);
+  const glm::dvec2 d = two.points[1] - two.points[0];  // halves: the centroids are half a side apart
+  EXPECT_NEAR(std::max(std::abs(d.x), std::abs(d.y)), 0.5, 1e-3);
+  EXPECT_NEAR(std::min(std::abs(d.x), std::abs(d.y)), 0, 1e-3);
+  EXPECT_NEAR(two.energy, 2 * (1 / 12. + 1 / 48.) / kHexagonEnergy, 1e-4);
+
+  CcvtOptions options;
+  options.sites = 200;
+  options.capacity = 64;
+  const Points start = region_ccvt({Domain::kSquare, {}}, options);
+  const FinishResult result = transport_finish(start, square);
+  EXPECT_LT(result.area_error, 1e-9);
+  // The energy of 2^16 places, each to the nearest point, is less than that of the cells, but not by much.
+  const auto energy_of = [](const Points& points) {
+    double sum = 0;
+    for (int k = 0; k < 1 << 16; ++k) {
+      const glm::dvec2 p((k % 256 + 0.5) / 256, (k / 256 + 0.5) / 256);
+      double best = 9;
+      for (const glm::dvec2& q : points) best = std::min(best, glm::dot(q - p, q - p));
+      sum += best;
+    }
+    return static_cast<double>(points.size()) * sum / (1 << 16) / kHexagonEnergy;
+  };
+  const double energy = energy_of(result.points);
+  EXPECT_LE(energy, result.energy + 1e-3);
+  EXPECT_GT(energy, result.energy - 0.01);
+  EXPECT_LT(energy, energy_of(start) - 0.02);
+  for (const glm::dvec2& p : result.points) EXPECT_TRUE(p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1);
+  options.finish = true;
+  EXPECT_EQ(region_ccvt({Domain::kSquare, {}}, options), result.points);
+  EXPECT_THROW(region_ccvt({Domain::kDisk, {}}, options), InputError);
 }
 
 /// Each set has grains of hexagons, yet over sets the power of the first ring does not depend on the
