@@ -36,13 +36,26 @@ std::vector<DeviceRay> primary_rays(const Scene& scene) {
   return rays;
 }
 
-/// Cosine-weighted rays from what the primary rays meet; spheres and disks are passed over.
+/// The scene without spheres and disks; counts them.
+Scene only_triangles(const Scene& scene, std::uint64_t& left_out) {
+  Scene meshes = scene;
+  std::vector<std::uint64_t> round(scene.objects.size());
+  const auto strip = [](std::vector<Shape>& shapes) {
+    return std::erase_if(shapes, [](const Shape& s) { return s.kind != ShapeKind::mesh; });
+  };
+  left_out = strip(meshes.shapes);
+  for (std::size_t o = 0; o < round.size(); ++o) round[o] = strip(meshes.objects[o].shapes);
+  for (const Instance& instance : scene.instances) left_out += round[instance.object];
+  return meshes;
+}
+
+/// Cosine-weighted rays from what the primary rays meet.
 std::vector<DeviceRay> occlusion_rays(const Geometry& geometry, const std::vector<DeviceRay>& primary,
                                       const std::vector<DeviceHit>& hits, const TracerBenchOptions& options) {
-  std::vector<std::uint32_t> slot_of(geometry.primitives.size() / 3);
-  for (std::uint32_t slot = 0; slot < slot_of.size(); ++slot) {
+  std::vector<std::uint32_t> slot_of(geometry.triangle_count);  // one of them, where there are several
+  for (std::uint32_t slot = 0; slot < geometry.primitives.size() / 3; ++slot) {
     const std::uint32_t id = geometry.primitives[3 * slot].w;
-    if ((id & layout::kQuadricBit) == 0) slot_of[id] = slot;
+    slot_of[id] = slot;
   }
   const auto sampler = make_sampler("random", options.samples, 1);
   const auto vertex = [&](std::uint32_t slot, int k) {
@@ -51,7 +64,7 @@ std::vector<DeviceRay> occlusion_rays(const Geometry& geometry, const std::vecto
   };
   std::vector<DeviceRay> rays;
   for (std::uint32_t pixel = 0; pixel < primary.size(); ++pixel) {
-    if (hits[pixel].primitive == layout::kNoPrimitive || (hits[pixel].primitive & layout::kQuadricBit) != 0) continue;
+    if (hits[pixel].primitive == layout::kNoPrimitive) continue;
     const std::uint32_t slot = slot_of[hits[pixel].primitive];
     const glm::dvec3 d(primary[pixel].direction);
     glm::dvec3 n = glm::cross(vertex(slot, 1) - vertex(slot, 0), vertex(slot, 2) - vertex(slot, 0));
@@ -60,23 +73,27 @@ std::vector<DeviceRay> occlusion_rays(const Geometry& geometry, const std::vecto
     if (glm::dot(n, d) > 0) n = -n;
     const glm::dvec3 p = glm::dvec3(primary[pixel].origin) + static_cast<double>(hits[pixel].t) * d;
     const glm::dvec3 origin = p + 1e-5 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)) * n;
-    const glm::dvec3 t = glm::normalize(std::abs(n.x) > 0.5 ? glm::dvec3(n.y, -n.x, 0) : glm::dvec3(0, n.z, -n.y));
+    const glm::dvec3 t =
+        glm::normalize(std::abs(n.x) > 0.5 ? glm::dvec3(n.y, -n.x, 0) : glm::dvec3(0, n.z, -n.y));
     const glm::dvec3 b = glm::cross(n, t);
     for (std::uint32_t i = 0; i < options.samples; ++i) {
       const FixedPoint u = sampler->sample(pixel, i, 0);
       const double r = std::sqrt(to_unit_float(u.x)), phi = 2 * M_PI * to_unit_float(u.y);
       const glm::dvec3 w = r * std::cos(phi) * t + r * std::sin(phi) * b + std::sqrt(1 - r * r) * n;
-      rays.push_back({glm::vec3(origin), static_cast<float>(options.radius), glm::vec3(glm::normalize(w)), layout::kNoPrimitive});
+      rays.push_back({glm::vec3(origin), static_cast<float>(options.radius), glm::vec3(glm::normalize(w)),
+                      layout::kNoPrimitive});
     }
   }
   return rays;
 }
 
-/// Closest: same primitive, or the same distance. Any: both met something or neither did; a ray that ends or starts within
-/// rounding of a surface may go either way, which `closest` (Embree's distances) shows.
-void count_differences(TracerBenchRow& row, const std::vector<DeviceHit>& hits, const std::vector<DeviceHit>& truth, bool any) {
+/// Closest: same primitive, or the same distance. Any: both met something or neither did; a ray that ends or
+/// starts within rounding of a surface may go either way, which `closest` (Embree's distances) shows.
+void count_differences(TracerBenchRow& row, const std::vector<DeviceHit>& hits,
+                       const std::vector<DeviceHit>& truth, bool any) {
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    const bool met = hits[i].primitive != layout::kNoPrimitive, truly = truth[i].primitive != layout::kNoPrimitive;
+    const bool met = hits[i].primitive != layout::kNoPrimitive,
+               truly = truth[i].primitive != layout::kNoPrimitive;
     if (any ? met == truly : met == truly && (!met || hits[i].primitive == truth[i].primitive)) continue;
     ++row.different;
     if (!any && met && truly && std::abs(hits[i].t - truth[i].t) <= 1e-5 * std::abs(truth[i].t)) ++row.ties;
@@ -116,7 +133,8 @@ class Bench {
       on_progress((r + 1.0) / repeats_);
     }
     answers[0] = caster.hits();
-    for (std::size_t k = 0; k < rows.size() && embree_; ++k) count_differences(rows[k], answers[k], answers[1], any);
+    for (std::size_t k = 0; k < rows.size() && embree_; ++k)
+      count_differences(rows[k], answers[k], answers[1], any);
     result.rows.insert(result.rows.end(), rows.begin(), rows.end());
   }
 
@@ -135,14 +153,17 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-TracerBench bench_tracer(const Scene& scene, const TracerBenchOptions& options, const std::function<void(double)>& on_progress) {
+TracerBench bench_tracer(const Scene& whole, const TracerBenchOptions& options,
+                         const std::function<void(double)>& on_progress) {
   TracerBench result;
+  const Scene scene = only_triangles(whole, result.left_out);
   Renderer renderer(scene, options.renderer);
   const auto start = std::chrono::steady_clock::now();
   const Geometry geometry = build_geometry(scene);
   result.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.triangles = geometry.triangle_count;
-  result.bytes_per_triangle = 16.0 * static_cast<double>(geometry.bvh.texels.size() + geometry.primitives.size()) /
+  result.bytes_per_triangle = 16.0 *
+                              static_cast<double>(geometry.bvh.texels.size() + geometry.primitives.size()) /
                               static_cast<double>(std::max<std::uint64_t>(1, geometry.triangle_count));
   result.device = renderer.state().description.name;
   std::unique_ptr<EmbreeTracer> embree;
