@@ -10,7 +10,7 @@ namespace capcon {
 /// How tiles with farthest-point-like tilings are made.
 struct FarthestOptions {
   std::uint32_t rounds = 200;  ///< steps at each of 30 distances
-  double flatness = 0.0003;    ///< of the mean tile against distance; 0 makes all tiles alike
+  double flatness = 0.0002;    ///< of the mean tile against distance; 0 makes all tiles alike
   std::function<void(double done, double distance)> on_stage;  ///< done in [0, 1]; may be empty
 };
 

@@ -31,7 +31,7 @@ struct MakeTilesOptions {
                                 ///< them; 0: 24, more for sets of more than 16 tiles
   std::uint32_t moves = 20000;  ///< of the ranking, per point of the set
   std::optional<double> flatness;  ///< of the mean tile, see TiedOptimiser and FarthestOptions; 0 ends in a
-                                   ///< regular lattice. Left out: 0.002 for ccvt, 0.0003 for fpo
+                                   ///< regular lattice. Left out: 0.002 for ccvt, 0.0002 for fpo
   std::function<void(double done, double energy)> on_round;  ///< done in [0, 1]; may be empty
 };
 
