@@ -2,13 +2,13 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/progress.h"
+#include "cli/cold_explain.h"
 #include "cli/profile_table.h"
 #include "cli/verbs.h"
 #include "image/exr_rows.h"
@@ -185,9 +185,7 @@ nlohmann::ordered_json report(const Options& o, const Scene& scene, const Outcom
 }
 
 void run_explain(const Options& o) {
-  // What compiling costs shows only when the driver has nothing to remember.
-  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-  const Explanation e = explain(o.scene, o.width, o.height, o.job, o.renderer);
+  const Explanation e = cold_explain(o.scene, o.width, o.height, o.job, o.renderer, 5);
   fmt::print("{}", o.json ? to_json(e).dump(2) + "\n" : to_text(e));
   if (!e.identical)
     throw Failure("the image differs when everything is kept: this is a defect, please report it");

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "cli/cold_explain.h"
 #include "cli/verbs.h"
 #include "reference/reference.h"
 #include "render/renderer.h"
@@ -90,7 +91,9 @@ void run(Options& o) {
   s.close_ups = !o.no_close_ups;
   s.command = command_line();
   s.scene = o.scene.empty() ? "scenes/courtyard.pbrt (shipped)" : o.scene;
-  Scene scene = read_scene(o.scene.empty() ? shipped_file("scenes/courtyard.pbrt").string() : o.scene);
+  const std::string scene_path =
+      o.scene.empty() ? shipped_file("scenes/courtyard.pbrt").string() : o.scene;
+  Scene scene = read_scene(scene_path);
   if (!o.runner.quiet) {
     for (const std::string& warning : scene.warnings) fmt::print(stderr, "capcon: warning: {}\n", warning);
   }
@@ -107,8 +110,17 @@ void run(Options& o) {
   o.runner.interrupted = [] { return stop_requested != 0; };
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
+  std::optional<Explanation> explanation;
+  if (o.device != "reference") {
+    AmbientOcclusionJob job;
+    job.radius = s.radius;
+    RendererOptions options;
+    options.device = o.device;
+    explanation = cold_explain(scene_path, s.width, s.height, job, options, 3);
+  }
   const StudyReport report = ambient_occlusion_study(
-      s, [&](int width, int height) { return make_device(scene, o.device, width, height); }, o.runner);
+      s, [&](int width, int height) { return make_device(scene, o.device, width, height); }, o.runner,
+      explanation);
   if (o.json) {
     fmt::print("{}\n", report.json.dump(2));
   } else {

@@ -40,7 +40,8 @@ std::string findings_section(const StudyResult& result, const Figures& figures) 
 }  // namespace
 
 std::string html_report(const StudyResult& result, const Figures& figures,
-                        const std::optional<CloseUps>& close_ups) {
+                        const std::optional<CloseUps>& close_ups,
+                        const std::optional<Explanation>& explanation) {
   const StudySettings& s = result.settings;
   const std::string device = result.device.value("name", "unknown device");
   std::string html = fmt::format(
@@ -61,6 +62,7 @@ std::string html_report(const StudyResult& result, const Figures& figures,
   section("charts", "Error against samples and against time", report_charts(result, figures));
   if (close_ups) section("close-ups", "What it looks like", report_close_ups(s, *close_ups));
   section("tables", "The figures", report_tables(result, figures));
+  if (explanation) section("left-out", "What was left out", report_explanation(*explanation));
   section("methods", "What ran, and how each figure is computed", report_methods(result, figures));
   return html + "</main>\n</body></html>\n";
 }

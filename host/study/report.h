@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "render/explain.h"
 #include "study/close_ups.h"
 #include "study/figures.h"
 
@@ -11,7 +12,8 @@ namespace capcon {
 
 /// The whole page: one HTML file that loads nothing else and runs no scripts.
 std::string html_report(const StudyResult& result, const Figures& figures,
-                        const std::optional<CloseUps>& close_ups);
+                        const std::optional<CloseUps>& close_ups,
+                        const std::optional<Explanation>& explanation = {});
 
 // Its parts, each a section.
 
@@ -20,6 +22,8 @@ std::string report_charts(const StudyResult& result, const Figures& figures);
 /// MSE, slopes, equal error, equal time.
 std::string report_tables(const StudyResult& result, const Figures& figures);
 std::string report_close_ups(const StudySettings& settings, const CloseUps& close_ups);
+/// What was left out because the job does not need it, and what that saved.
+std::string report_explanation(const Explanation& explanation);
 /// What ran, and how each figure is computed.
 std::string report_methods(const StudyResult& result, const Figures& figures);
 /// The style sheet: light and dark, screen and paper.

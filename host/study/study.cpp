@@ -6,16 +6,18 @@
 namespace capcon {
 
 StudyReport ambient_occlusion_study(const StudySettings& settings, const MakeStudyDevice& make_device,
-                                    const RunnerOptions& options) {
+                                    const RunnerOptions& options,
+                                    const std::optional<Explanation>& explanation) {
   StudyReport report;
   report.result = run_study(settings, make_device(settings.width, settings.height), options);
   report.figures = make_figures(report.result);
   report.json = to_json(report.result, report.figures);
+  if (explanation) report.json["explanation"] = to_json(*explanation);
   write_file(options.directory / "study.json", report.json.dump(2) + "\n");
   std::optional<CloseUps> close_ups;
   if (settings.close_ups) close_ups = make_close_ups(settings, make_device, options);
   report.page = options.directory / "report.html";
-  write_file(report.page, html_report(report.result, report.figures, close_ups));
+  write_file(report.page, html_report(report.result, report.figures, close_ups, explanation));
   return report;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "render/explain.h"
 #include "study/figures.h"
 #include "study/runner.h"
 
@@ -15,8 +17,9 @@ struct StudyReport {
 };
 
 /// The whole study: measures or goes on, computes the figures, renders close-ups if the settings want them,
-/// and writes study.json and report.html.
+/// and writes study.json and report.html; both show `explanation` if there is one.
 StudyReport ambient_occlusion_study(const StudySettings& settings, const MakeStudyDevice& make_device,
-                                    const RunnerOptions& options);
+                                    const RunnerOptions& options,
+                                    const std::optional<Explanation>& explanation = {});
 
 }  // namespace capcon
