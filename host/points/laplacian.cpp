@@ -7,8 +7,8 @@ namespace capcon {
 
 namespace {
 
-constexpr std::size_t kCoarsest = 24;  // nodes that are solved for directly
-constexpr double kOvercorrection = 2;  // of coarse corrections: piecewise constant ones are twice too stiff
+constexpr std::size_t kCoarsest = 24;    // nodes that are solved for directly
+constexpr double kOvercorrection = 1.8;  // of coarse corrections: piecewise constant ones are twice too stiff
 constexpr std::uint32_t kNone = ~0u;
 
 /// Each node's coarse node: pairs along the heaviest edge to a node still free.
@@ -198,8 +198,9 @@ int LaplacianSolver::solve(std::span<const double> b, double tolerance, int most
   image_.assign(n, 0);
   const double goal2 = tolerance * tolerance * dot(residual_, residual_);
   double rho = 0;
-  for (int step = 0; step < most; ++step) {
-    if (dot(residual_, residual_) <= goal2) return step;
+  int step = 0;
+  for (; step < most; ++step) {
+    if (dot(residual_, residual_) <= goal2) break;
     levels_.front().right = residual_;
     cycle(0, true);
     const std::vector<double>& z = levels_.front().solution;
@@ -215,14 +216,15 @@ int LaplacianSolver::solve(std::span<const double> b, double tolerance, int most
       image_[i] = sum;
       curvature += sum * direction_[i];
     }
-    if (!(curvature > 0) || !(rho > 0)) return step;
+    if (!(curvature > 0) || !(rho > 0)) break;
     const double alpha = rho / curvature;
     for (std::uint32_t i = 0; i < n; ++i) {
       v[i] += alpha * direction_[i];
       residual_[i] -= alpha * image_[i];
     }
   }
-  return most;
+  remove_mean(v);  // the cycles add constants, which the matrix does not see
+  return step;
 }
 
 }  // namespace capcon
