@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tiling/mean_tile.h"
-#include "tiling/region_layout.h"
+#include "tiling/tile_pairs.h"
 
 namespace capcon {
 namespace {
@@ -130,15 +130,6 @@ void relax(TiedPoints& points, double diameter, std::uint32_t rounds, double fla
 }
 
 }  // namespace
-
-bool can_stand(std::uint32_t colours, std::uint32_t t, std::uint32_t u, int dx, int dy) {
-  const auto a = tile_colours(colours, t), b = tile_colours(colours, u);
-  for (int corner = 0; corner < 4; ++corner) {
-    const int x = (corner & 1) - dx, y = (corner >> 1) - dy;  // the same vertex seen from u
-    if (x >= 0 && x <= 1 && y >= 0 && y <= 1 && a[corner] != b[x + 2 * y]) return false;
-  }
-  return true;
-}
 
 double least_distance(const TiedPoints& points) {
   double least = 1;  // a tile's own image

@@ -25,7 +25,4 @@ TiedPoints spread_apart(TiedPoints points, const FarthestOptions& options);
 /// The least distance of two points in any tiling, over d_hex = sqrt(2 / (sqrt(3) points_per_tile)).
 double least_distance(const TiedPoints& points);
 
-/// Whether tile u can stand at (dx, dy) from tile t as far as the vertices that they share say.
-bool can_stand(std::uint32_t colours, std::uint32_t t, std::uint32_t u, int dx, int dy);
-
 }  // namespace capcon

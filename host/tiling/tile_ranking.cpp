@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/hash.h"
 #include "base/parallel.h"
-#include "tiling/region_layout.h"
-#include "tiling/tiling.h"
+#include "tiling/tile_pairs.h"
 
 namespace capcon {
 namespace {
@@ -31,92 +28,13 @@ bool is_long(std::uint32_t rank, std::uint32_t nt) {
   return 4 * rank >= nt;
 }
 
-// The numbers of the tiles that there are: the set's tiles, counted from 0 in this file.
-std::vector<std::uint32_t> numbers_of(const TileSet& set) {
-  return tile_numbers(set.colours, set.colouring);
-}
-
-// The chance that tile u is at (dx, dy) from a tile t of a complete set, times colours^4.
-std::vector<double> complete_weights(const TileSet& set, int dx, int dy) {
-  const auto tiles = std::uint32_t(set.tile_count());
-  std::vector<double> weights(std::size_t(tiles) * tiles, 1.0);
-  double consistent = 0;
-  for (std::uint32_t t = 0; t < tiles; ++t)
-    for (std::uint32_t u = 0; u < tiles; ++u) {
-      const auto a = tile_colours(set.colours, t), b = tile_colours(set.colours, u);
-      for (int corner = 0; corner < 4; ++corner) {
-        const int x = (corner & 1) - dx, y = (corner >> 1) - dy;  // the same vertex seen from u
-        if (x >= 0 && x <= 1 && y >= 0 && y <= 1 && a[corner] != b[x + 2 * y]) weights[t * tiles + u] = 0;
-      }
-      consistent += weights[t * tiles + u];
-    }
-  for (double& w : weights) w *= tiles / consistent;
-  return weights;
-}
-
-// The same of any set by its own colouring, counted in one large random tiling.
-class CountedWeights {
- public:
-  explicit CountedWeights(const TileSet& set) : tiling_(kCountSide, 0), tiles_(set.tile_count()) {
-    const auto numbers = numbers_of(set);
-    const auto colours = random_colours(tiling_, set, kRankStream);
-    for (std::uint32_t cell = 0; cell < tiling_.size(); ++cell) {
-      const std::uint32_t tile = tile_of(tiling_, colours, set.colours, cell);
-      kind_.push_back(std::uint32_t(std::ranges::lower_bound(numbers, tile) - numbers.begin()));
-    }
-  }
-  std::vector<double> operator()(int dx, int dy) const {
-    std::vector<double> weights(tiles_ * tiles_, 0.0);
-    for (std::uint32_t cell = 0; cell < tiling_.size(); ++cell) {
-      const glm::ivec2 at = tiling_.cell(cell);
-      weights[kind_[cell] * tiles_ + kind_[tiling_.index(at.x + dx, at.y + dy)]] +=
-          double(tiles_) / tiling_.size();
-    }
-    return weights;
-  }
-
- private:
-  static constexpr std::uint32_t kCountSide = 256;
-  GaussianTiling tiling_;
-  std::size_t tiles_;
-  std::vector<std::uint32_t> kind_;  // per cell
-};
-
-// By shift the chances of pairs of tiles in an infinite random tiling, and in the one-tile tilings beside it.
-class PairWeights {
- public:
-  explicit PairWeights(const TileSet& set) : set_(set) {
-    if (set.colouring != Colouring::free) counted_.emplace(set);
-  }
-  const std::vector<double>& at(int dx, int dy) {
-    auto [entry, is_new] = by_shift_.try_emplace({dx, dy});
-    if (!is_new) return entry->second;
-    std::vector<double> weights = counted_ ? (*counted_)(dx, dy) : complete_weights(set_, dx, dy);
-    const auto numbers = numbers_of(set_);
-    const std::size_t tiles = numbers.size();
-    std::vector<std::size_t> alone;  // with four equal corners
-    for (std::size_t t = 0; t < tiles; ++t) {
-      const auto c = tile_colours(set_.colours, numbers[t]);
-      if (c[0] == c[1] && c[0] == c[2] && c[0] == c[3]) alone.push_back(t);
-    }
-    for (const std::size_t t : alone)
-      weights[t * tiles + t] += kOneTileWeight * double(tiles) / double(alone.size());
-    return entry->second = std::move(weights);
-  }
-
- private:
-  const TileSet& set_;
-  std::optional<CountedWeights> counted_;
-  std::map<std::pair<int, int>, std::vector<double>> by_shift_;
-};
-
 // Both potentials of every pair of points of the set (of i at j and of j at i), for one prefix length.
 class Potential {
  public:
-  Potential(const TileSet& set, std::uint32_t rank, PairWeights& pairs)
+  Potential(const TileSet& set, std::uint32_t rank, TilePairs& pairs)
       : nt_(set.points_per_tile),
         tiles_(std::uint32_t(set.tile_count())),
-        numbers_(numbers_of(set)),
+        numbers_(tile_numbers(set)),
         q_(std::size_t(nt_) * nt_ * tiles_ * tiles_) {
     const double spacings = is_long(rank, nt_) ? kLongReach : kReach;
     const double reach2 = spacings * spacings * 2 / (std::sqrt(3.0) * rank);
@@ -159,7 +77,7 @@ class Ranking {
  public:
   explicit Ranking(const TileSet& set)
       : nt_(set.points_per_tile), points_(set.tile_count() * nt_), lengths_(prefix_lengths(nt_)) {
-    PairWeights pairs(set);
+    TilePairs pairs(set, kOneTileWeight);
     for (const std::uint32_t r : lengths_) potentials_.emplace_back(set, r, pairs);
     order_.resize(points_);
     for (std::size_t i = 0; i < points_; ++i) order_[i] = std::uint32_t(i);
@@ -223,7 +141,7 @@ void rank_points(TileSet& set, std::uint64_t seed, std::uint32_t moves_per_point
     // Accepting by a threshold with a uniform random number needs no exponential.
     if (change < temperature * uniform64(seed, kRankStream + 1, move)) ranking.swap(tile, a, b);
   }
-  const auto numbers = numbers_of(set);
+  const auto numbers = tile_numbers(set);
   for (std::size_t t = 0; t < numbers.size(); ++t) {
     auto& tile = set.tiles[numbers[t]];
     std::vector<TileSet::TilePoint> ordered;

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "points/ccvt.h"
 #include "points/measure.h"
 
@@ -58,6 +60,43 @@ TEST(Partition, FindsNearlyACheckerboard) {
   }
   const double random = 0.70;  // neighbours in the same subset nearly everywhere: spacing of one cell
   EXPECT_GT(best, random);
+}
+
+// The rule itself, with every distance computed anew: 60 points in 8 subsets, so that all distances are
+// listed.
+TEST(Partition, IsTheNaiveRule) {
+  constexpr std::uint32_t kPoints = 60, kSubsets = 8;
+  Points points;
+  for (std::uint64_t i = 0; i < kPoints; ++i)
+    points.emplace_back(uniform64(3, 1, 2 * i), uniform64(3, 1, 2 * i + 1));
+  std::vector<std::uint32_t> order(kPoints), labels(kPoints);
+  for (std::uint32_t i = 0; i < kPoints; ++i) order[i] = i;
+  std::ranges::sort(order, {}, [](std::uint32_t i) { return mix64(9, 0, i); });
+  for (std::uint32_t i = 0; i < kPoints; ++i) labels[order[i]] = i % kSubsets;
+  const auto nearest = [&](std::uint32_t i, std::uint32_t label, std::uint32_t without) {
+    double least = 9;
+    for (std::uint32_t j = 0; j < kPoints; ++j) {
+      if (j == i || j == without || labels[j] != label) continue;
+      const glm::dvec2 d = points[i] - points[j];
+      least = std::min(least, std::hypot(std::remainder(d.x, 1.0), std::remainder(d.y, 1.0)));
+    }
+    return least;
+  };
+  for (bool traded = true; traded;) {
+    traded = false;
+    for (std::uint32_t x = 0; x < kPoints; ++x) {
+      double best_gain = 1e-12;
+      std::uint32_t best = x;
+      for (std::uint32_t y = 0; y < kPoints; ++y) {
+        const std::uint32_t a = labels[x], b = labels[y];
+        if (a == b) continue;
+        const double gain = nearest(y, a, x) + nearest(x, b, y) - nearest(x, a, x) - nearest(y, b, y);
+        if (gain > best_gain) best_gain = gain, best = y;
+      }
+      if (best != x) std::swap(labels[x], labels[best]), traded = true;
+    }
+  }
+  EXPECT_EQ(partition(points, {kSubsets, 9}), labels);
 }
 
 TEST(Partition, DegenerateInputsAreSaid) {
