@@ -10,6 +10,19 @@
 #include "gpu/commands.h"
 
 namespace capcon::gpu {
+namespace {
+
+Failure no_room(const Device& device, std::uint64_t bytes, std::uint64_t in_use, const char* reason) {
+  const auto mebibytes = [](std::uint64_t b) { return static_cast<double>(b) / (1 << 20); };
+  return Failure(
+      fmt::format("{} has no room for a buffer of {:.1f} MiB beside the {:.1f} of {:.1f} MiB in use ({}); "
+                  "try a smaller scene or image, "
+                  "--instancing two-level, or another --device",
+                  device.description().name, mebibytes(bytes), mebibytes(in_use),
+                  mebibytes(device.description().memory_bytes), reason));
+}
+
+}  // namespace
 
 Buffer::Buffer(const Device& device, std::size_t bytes, Memory memory)
     : device_(&device), bytes_(std::max<std::size_t>((bytes + 15) / 16 * 16, 16)) {
@@ -19,22 +32,26 @@ Buffer::Buffer(const Device& device, std::size_t bytes, Memory memory)
     info.size = bytes_;
     info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT |
                  VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    check(vkCreateBuffer(device.handle(), &info, nullptr, &handle_), "create a buffer");
+    // Drivers on the CPU hand out more than they say they have, until the system ends the program.
+    const std::uint64_t in_use = device.take_memory(bytes_);
+    if (in_use + bytes_ > device.description().memory_bytes)
+      throw no_room(device, bytes_, in_use, "all of its memory is taken");
+    const VkResult created = vkCreateBuffer(device.handle(), &info, nullptr, &handle_);
+    if (created < 0) throw no_room(device, bytes_, in_use, result_name(created));
     VkMemoryRequirements needs;
     vkGetBufferMemoryRequirements(device.handle(), handle_, &needs);
-    const VkMemoryPropertyFlags visible = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    const VkMemoryPropertyFlags visible =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     VkMemoryAllocateInfo allocation{};
     allocation.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
     allocation.allocationSize = needs.size;
     allocation.memoryTypeIndex =
         memory == Memory::host
             ? device.memory_type(needs.memoryTypeBits, visible, VK_MEMORY_PROPERTY_HOST_CACHED_BIT)
-            : device.memory_type(needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, device.is_cpu() ? visible : 0);
+            : device.memory_type(needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT,
+                                 device.is_cpu() ? visible : 0);
     const VkResult result = vkAllocateMemory(device.handle(), &allocation, nullptr, &memory_);
-    if (result < 0) {
-      throw Failure(fmt::format("{} has no room for a buffer of {:.1f} MiB ({}); try a smaller scene or image, or another --device",
-                                device.description().name, static_cast<double>(bytes_) / (1 << 20), result_name(result)));
-    }
+    if (result < 0) throw no_room(device, bytes_, in_use, result_name(result));
     check(vkBindBufferMemory(device.handle(), handle_, memory_, 0), "bind memory");
     if (memory == Memory::host || device.is_cpu()) {
       check(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_), "map memory");
@@ -56,6 +73,7 @@ Buffer::Buffer(const Device& device, std::size_t bytes, Memory memory)
 
 Buffer::~Buffer() {
   if (!device_) return;
+  device_->give_memory(bytes_);
   vkDestroyBufferView(device_->handle(), view_, nullptr);
   vkDestroyBuffer(device_->handle(), handle_, nullptr);
   vkFreeMemory(device_->handle(), memory_, nullptr);

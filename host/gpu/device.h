@@ -2,6 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <atomic>
 #include <memory>
 #include <string>
 
@@ -26,6 +27,10 @@ class Device {
   bool is_cpu() const { return description_.kind == "cpu"; }
   double timestamp_seconds() const { return timestamp_seconds_; }
 
+  /// Counts bytes of buffers that are made; returns how many were in use before.
+  std::uint64_t take_memory(std::uint64_t bytes) const { return memory_in_use_.fetch_add(bytes); }
+  void give_memory(std::uint64_t bytes) const { memory_in_use_.fetch_sub(bytes); }
+
   /// Index of a memory type in `allowed` with all of `flags`; the first that also has `wished`, if any. Failure if none.
   std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags flags, VkMemoryPropertyFlags wished) const;
 
@@ -37,6 +42,7 @@ class Device {
   VkPhysicalDeviceMemoryProperties memory_{};
   std::unique_ptr<PipelineCache> pipeline_cache_;
   double timestamp_seconds_ = 0;
+  mutable std::atomic<std::uint64_t> memory_in_use_{0};
 };
 
 }  // namespace capcon::gpu

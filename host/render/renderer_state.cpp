@@ -32,6 +32,17 @@ bool fits(const gpu::DeviceDescription& device, std::size_t bytes, bool texels) 
   return texels ? bytes / 16 <= device.max_texels : bytes <= device.max_storage_bytes;
 }
 
+/// Refuses a scene whose triangles alone do not fit, before hours and gigabytes go into its tree.
+void check_size(const Scene& scene, bool two_level, const gpu::DeviceDescription& device) {
+  const std::uint64_t triangles = two_level ? scene.unique_triangles() : scene.instanced_triangles();
+  const std::uint64_t bytes = 48 * triangles;
+  if (bytes <= device.memory_bytes) return;
+  throw Failure(fmt::format("{}: {} triangles need {:.1f} MiB and their tree as much again, and {} has {:.1f} MiB; {}", scene.name,
+                            triangles, static_cast<double>(bytes) / (1 << 20), device.name,
+                            static_cast<double>(device.memory_bytes) / (1 << 20),
+                            two_level ? "try a smaller scene or another --device" : "try --instancing two-level"));
+}
+
 /// The images of a scene, one after the other, for a buffer.
 std::vector<float> image_words(const Scene& scene) {
   std::vector<float> words;
@@ -58,6 +69,7 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
   scene_constants[layout::kSpecDetails] = features.details ? 1 : 0;
   scene_constants[layout::kSpecStackSize] = stack_array(0);
   setup.wall["device"] = context->open_seconds;
+  check_size(scene, wants_two_levels(scene, options.instancing), description);
   auto start = Clock::now();
   std::future<void> compiling;
   if (first) compiling = std::async(std::launch::async, [&] { compile_for(*first); });
