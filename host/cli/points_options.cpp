@@ -88,7 +88,8 @@ void add_points_options(CLI::App& verb, PointsOptions& options) {
           "--finish", options.finish,
           "none: ends when a pass over all pairs of sites exchanges nothing (ccvt). transport: goes on from "
           "capacity 64 with power cells of exactly equal area, each site to the centroid of its own, until "
-          "20 rounds lower the energy by less than 0.04 %; faster and more even than any capacity")
+          "20 rounds lower the energy by less than 0.04 %; faster and more even than any capacity; on the "
+          "torus and in the square")
       ->check(CLI::IsMember({"none", "transport"}))
       ->capture_default_str();
   verb.add_option(
