@@ -60,6 +60,11 @@ void run(const Options& options) {
   }
   const Image image = read_exr(options.image);
   const Image reference = read_exr(options.reference);
+  if (image.width != reference.width || image.height != reference.height) {
+    throw InputError(fmt::format("{} has {}x{} pixels and {} has {}x{}; compare images of one size",
+                                 options.image, image.width, image.height, options.reference, reference.width,
+                                 reference.height));
+  }
   const Comparison comparison = compare(image, reference, options.tolerance);
   if (output.extension() == ".exr") write_exr(output, absolute_difference(image, reference));
   if (output.extension() == ".png") write_png(output, absolute_difference(image, reference));
