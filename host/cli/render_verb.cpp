@@ -272,6 +272,10 @@ void add_render_verb(CLI::App& app) {
                    "slower rays)")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "flat", "two-level"}));
+  verb->add_option("--tree", o->renderer.tree,
+                   "auto; fast: sooner there; best: primitives cut for fewer visits, for many rays")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "fast", "best"}));
   verb->add_flag("--profile", o->profile, "Print where the time went, a row a stage");
   verb->add_flag(
       "--explain", o->explain,

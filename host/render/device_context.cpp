@@ -22,6 +22,7 @@ const RendererOptions& checked(const RendererOptions& options) {
   };
   one_of(options.fetch, {"auto", "texel", "storage"}, "--fetch");
   one_of(options.instancing, {"auto", "flat", "two-level"}, "--instancing");
+  one_of(options.tree, {"auto", "fast", "best"}, "--tree");
   return options;
 }
 

@@ -18,6 +18,9 @@ struct RendererOptions {
   std::string fetch = "auto";
   /// "auto" (one tree over all instances where that is small or saves little), "flat" or "two-level".
   std::string instancing = "auto";
+  /// "auto" (best where the first job's rays pay for it), "fast" or "best": whether primitives may be cut for
+  /// a better tree.
+  std::string tree = "auto";
   bool validate = false;  ///< load the Khronos validation layer; its messages make the render fail
   bool keep_everything =
       false;  ///< upload and compile what the job does not need, too: for `capcon render --explain`

@@ -37,4 +37,11 @@ bool wants_two_levels(const Scene& scene, const std::string& instancing) {
   return all > kSmall && all >= 2 * scene.unique_triangles();
 }
 
+bool wants_best_tree(const Scene& scene, const AmbientOcclusionJob* job, const std::string& tree) {
+  if (tree != "auto" || !job) return tree != "fast";
+  constexpr double kRaysATriangle = 25;
+  const double rays = double(scene.film.width) * scene.film.height * job->samples;
+  return rays >= kRaysATriangle * static_cast<double>(scene.unique_triangles());
+}
+
 }  // namespace capcon

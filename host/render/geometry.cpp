@@ -66,8 +66,8 @@ Census take_census(const Scene& scene, bool keep_instances) {
 }
 
 /// The trees of objects, and of the world last; only those that instances use are built.
-std::vector<GeometryTree> build_trees(const Scene& scene, const Census& census, bool details,
-                                      std::vector<glm::uvec4>& quadrics) {
+std::vector<GeometryTree> build_trees(const Scene& scene, const Census& census,
+                                      const GeometryOptions& options, std::vector<glm::uvec4>& quadrics) {
   std::vector<char> used(scene.objects.size());
   for (const std::uint32_t i : census.instances) used[scene.instances[i].object] = 1;
   std::vector<GeometryTree> trees(scene.objects.size() + 1);
@@ -80,9 +80,9 @@ std::vector<GeometryTree> build_trees(const Scene& scene, const Census& census, 
       id += static_cast<std::uint32_t>(primitive_count(scene, shape));
     }
     std::vector<glm::uvec4> none;
-    trees[o] = build_tree(scene, placed, details, none);
+    trees[o] = build_tree(scene, placed, options, none);
   });
-  trees.back() = build_tree(scene, census.world, details, quadrics);
+  trees.back() = build_tree(scene, census.world, options, quadrics);
   return trees;
 }
 
@@ -197,10 +197,10 @@ Geometry build_geometry(const Scene& scene, const GeometryOptions& options) {
     throw InputError(scene.name + ": the scene has no shapes, so there is nothing to render");
   Geometry geometry;
   if (options.two_level) {
-    const std::vector<GeometryTree> trees = build_trees(scene, census, options.details, geometry.quadrics);
+    const std::vector<GeometryTree> trees = build_trees(scene, census, options, geometry.quadrics);
     assemble(scene, census, trees, geometry);
   } else {
-    GeometryTree tree = build_tree(scene, census.world, options.details, geometry.quadrics);
+    GeometryTree tree = build_tree(scene, census.world, options, geometry.quadrics);
     geometry.bvh = std::move(tree.bvh);
     geometry.primitives = std::move(tree.primitives);
     geometry.details = std::move(tree.details);

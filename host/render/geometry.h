@@ -36,6 +36,7 @@ struct GeometryOptions {
   bool keep_instances =
       false;  ///< with two levels: whether instances stay instances, or are written out into the world's tree
   bool details = false;
+  bool cut = true;  ///< primitives where that makes a better tree (wants_best_tree())
 };
 
 /// Instances are written out in world space for one level; vertices are transformed in double and rounded to

@@ -104,7 +104,7 @@ std::uint64_t primitive_count(const Scene& scene, const Shape& shape) {
   return shape.kind == ShapeKind::mesh ? scene.meshes[shape.mesh].triangles.size() : 1;
 }
 
-GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, bool details,
+GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, const GeometryOptions& options,
                         std::vector<glm::uvec4>& quadrics) {
   std::vector<std::size_t> first(placed.size() + 1);
   for (std::size_t s = 0; s < placed.size(); ++s)
@@ -113,13 +113,13 @@ GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, bool
   GeometryTree tree;
   if (count == 0) return tree;
   std::vector<Box> boxes(count);
-  std::vector<glm::uvec4> primitives(3 * count), unsorted(details ? 3 * count : 0);
+  std::vector<glm::uvec4> primitives(3 * count), unsorted(options.details ? 3 * count : 0);
   for (std::size_t s = 0; s < placed.size(); ++s) {
     if (placed[s].shape->kind == ShapeKind::mesh) continue;
     const auto id = layout::kQuadricBit | static_cast<std::uint32_t>(quadrics.size() / 7);
     add_quadric(placed[s], quadrics, boxes[first[s]]);
     primitives[3 * first[s]] = glm::uvec4(0, 0, 0, id);
-    if (details) write_details(scene, placed[s], 0, &unsorted[3 * first[s]]);
+    if (options.details) write_details(scene, placed[s], 0, &unsorted[3 * first[s]]);
   }
   parallel_for(placed.size(), [&](std::size_t s) {
     const Placed& p = placed[s];
@@ -132,24 +132,25 @@ GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, bool
         boxes[at].add(glm::dvec3(v));
         primitives[3 * at + corner] = bits(v, corner == 0 ? p.first_id + static_cast<std::uint32_t>(t) : 0);
       }
-      if (details) write_details(scene, p, t, &unsorted[3 * at]);
+      if (options.details) write_details(scene, p, t, &unsorted[3 * at]);
     }
   });
   {
-    const BinaryTree binary = build_binary_tree(boxes, primitives);
+    const BinaryTree binary = build_binary_tree(
+        boxes, options.cut ? std::span<const glm::uvec4>(primitives) : std::span<const glm::uvec4>());
     tree.boxes = upper_boxes(binary);
     std::vector<Box>().swap(boxes);
     tree.bvh = collapse(binary);
   }
   const std::size_t slots = tree.bvh.order.size();
   tree.primitives.resize(3 * slots);
-  tree.details.resize(details ? 3 * slots : 0);
+  tree.details.resize(options.details ? 3 * slots : 0);
   parallel_for(
       slots,
       [&](std::size_t slot) {
         const std::size_t from = 3 * std::size_t(tree.bvh.order[slot]);
         for (int k = 0; k < 3; ++k) tree.primitives[3 * slot + k] = primitives[from + k];
-        for (int k = 0; details && k < 3; ++k) tree.details[3 * slot + k] = unsorted[from + k];
+        for (int k = 0; options.details && k < 3; ++k) tree.details[3 * slot + k] = unsorted[from + k];
       },
       1 << 14);
   return tree;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "render/geometry.h"
 #include "scene/bvh.h"
 #include "scene/scene.h"
 
@@ -29,7 +30,7 @@ struct GeometryTree {
 };
 
 /// `quadrics` receives the texels of spheres and disks. The tree is empty when there are no shapes.
-GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, bool details,
+GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, const GeometryOptions& options,
                         std::vector<glm::uvec4>& quadrics);
 
 }  // namespace capcon

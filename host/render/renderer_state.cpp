@@ -37,10 +37,11 @@ void check_size(const Scene& scene, bool two_level, const gpu::DeviceDescription
   const std::uint64_t triangles = two_level ? scene.unique_triangles() : scene.instanced_triangles();
   const std::uint64_t bytes = 48 * triangles;
   if (bytes <= device.memory_bytes) return;
-  throw Failure(fmt::format("{}: {} triangles need {:.1f} MiB and their tree as much again, and {} has {:.1f} MiB; {}", scene.name,
-                            triangles, static_cast<double>(bytes) / (1 << 20), device.name,
-                            static_cast<double>(device.memory_bytes) / (1 << 20),
-                            two_level ? "try a smaller scene or another --device" : "try --instancing two-level"));
+  throw Failure(
+      fmt::format("{}: {} triangles need {:.1f} MiB and their tree as much again, and {} has {:.1f} MiB; {}",
+                  scene.name, triangles, static_cast<double>(bytes) / (1 << 20), device.name,
+                  static_cast<double>(device.memory_bytes) / (1 << 20),
+                  two_level ? "try a smaller scene or another --device" : "try --instancing two-level"));
 }
 
 /// The images of a scene, one after the other, for a buffer.
@@ -77,8 +78,10 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
   // written out as before.
   Geometry geometry;
   try {
-    geometry = build_geometry(
-        scene, {features.two_level, wants_two_levels(scene, options.instancing), features.details});
+    geometry = build_geometry(scene, {.two_level = features.two_level,
+                                      .keep_instances = wants_two_levels(scene, options.instancing),
+                                      .details = features.details,
+                                      .cut = wants_best_tree(scene, first, options.tree)});
   } catch (...) {
     if (compiling.valid()) compiling.wait();
     throw;

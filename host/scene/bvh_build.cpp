@@ -42,7 +42,7 @@ class Builder {
 
   /// Builds node `at` of `tree` over the references; its descendants are appended in an order that does not
   /// depend on the number of threads. `spare`: how many references may be added below.
-  void build(BinaryTree& tree, std::size_t at, std::vector<Reference> references, std::size_t spare,
+  void build(BinaryTree& tree, std::size_t at, std::span<Reference> references, std::size_t spare,
              int parallel_depth) const {
     FloatBox box, centres;
     for (const Reference& r : references) {
@@ -69,14 +69,16 @@ class Builder {
       make_leaf(tree, at, references);
       return;
     }
-    std::vector<Reference> left, right;
-    if (spatial.cost < object.cost) divide_space(references, spatial, left, right);
-    // A cut that rounding leaves without use: all on one side, or nothing gained.
+    std::vector<Reference> left_parts, right_parts;
+    if (spatial.cost < object.cost) divide_space(references, spatial, left_parts, right_parts);
+    std::span<Reference> left(left_parts), right(right_parts);
+    // Objects are divided in place; so is a cut that rounding leaves without use: all on one side, or nothing
+    // gained.
     if (left.empty() || right.empty() || left.size() >= count || right.size() >= count) {
-      left.clear(), right.clear();
-      divide_objects(references, object, left, right);
+      const std::size_t middle = divide_objects(references, object);
+      left = references.first(middle);
+      right = references.subspan(middle);
     }
-    std::vector<Reference>().swap(references);
     spare -= std::min(spare, left.size() + right.size() - count);
     const std::size_t left_spare = spare * left.size() / (left.size() + right.size());
 
@@ -86,15 +88,14 @@ class Builder {
     if (parallel_depth > 0 && count > kParallelSize) {
       BinaryTree other;
       other.nodes.resize(1);
-      auto job = std::async(std::launch::async, [&] {
-        build(other, 0, std::move(right), spare - left_spare, parallel_depth - 1);
-      });
-      build(tree, first, std::move(left), left_spare, parallel_depth - 1);
+      auto job = std::async(std::launch::async,
+                            [&] { build(other, 0, right, spare - left_spare, parallel_depth - 1); });
+      build(tree, first, left, left_spare, parallel_depth - 1);
       job.get();
       graft(tree, first + 1, other);
     } else {
-      build(tree, first, std::move(left), left_spare, 0);
-      build(tree, first + 1, std::move(right), spare - left_spare, 0);
+      build(tree, first, left, left_spare, 0);
+      build(tree, first + 1, right, spare - left_spare, 0);
     }
   }
 
@@ -111,14 +112,13 @@ class Builder {
     node.count = static_cast<std::uint32_t>(tree.order.size()) - node.first;
   }
 
-  static void divide_objects(std::span<const Reference> references, const Split& split,
-                             std::vector<Reference>& left, std::vector<Reference>& right) {
-    std::size_t k = 0;
-    for (const Reference& r : references) {
-      const bool goes_left =
-          split.axis >= 0 ? r.centre(split.axis) < split.plane : 2 * k++ < references.size();
-      (goes_left ? left : right).push_back(r);
-    }
+  /// Puts what goes left in front; returns how many these are.
+  static std::size_t divide_objects(std::span<Reference> references, const Split& split) {
+    if (split.axis < 0) return references.size() / 2;
+    const auto middle = std::partition(references.begin(), references.end(), [&](const Reference& r) {
+      return split.bins.of(r.centre(split.axis)) < split.bin;
+    });
+    return static_cast<std::size_t>(middle - references.begin());
   }
 
   /// What lies across the plane is cut, or goes to one side whole where that is cheaper.
@@ -183,7 +183,7 @@ BinaryTree build_binary_tree(std::span<const Box> boxes, std::span<const glm::uv
   BinaryTree tree;
   tree.nodes.resize(1);
   tree.nodes.reserve(boxes.size());
-  Builder(cutter, all.half_area()).build(tree, 0, std::move(references), spare, depth);
+  Builder(cutter, all.half_area()).build(tree, 0, references, spare, depth);
   return tree;
 }
 

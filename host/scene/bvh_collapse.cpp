@@ -17,6 +17,15 @@ struct Child {
   bool inner;
 };
 
+struct Children {
+  Child all[5];  // one more while a child is opened
+  int count = 0;
+
+  const Child* begin() const { return all; }
+  const Child* end() const { return all + count; }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(count); }
+};
+
 struct Pending {
   std::uint32_t binary;  // node of the binary tree
   std::uint32_t wide;    // where it goes
@@ -89,33 +98,40 @@ class Collapser {
   }
 
   /// Up to four descendants of `binary`: the largest inner one is opened until there are four.
-  std::vector<Child> children_of(std::uint32_t binary) const {
-    if (!is_inner(binary)) return {{binary, false}};
-    std::vector<Child> children;
+  Children children_of(std::uint32_t binary) const {
+    Children children;
+    const auto add = [&](std::uint32_t n) { children.all[children.count++] = {n, is_inner(n)}; };
+    if (!is_inner(binary)) {
+      add(binary);
+      return children;
+    }
     const auto open = [&](std::uint32_t n) {
-      for (std::uint32_t c = tree_.nodes[n].first; c < tree_.nodes[n].first + 2; ++c)
-        children.push_back({c, is_inner(c)});
+      add(tree_.nodes[n].first);
+      add(tree_.nodes[n].first + 1);
     };
     open(binary);
-    while (children.size() < 4) {
-      auto largest = children.end();
+    while (children.count < 4) {
+      int largest = -1;
       double area = -1;
-      for (auto c = children.begin(); c != children.end(); ++c) {
-        if (c->inner && tree_.nodes[c->node].box.half_area() > area) {
-          area = tree_.nodes[c->node].box.half_area();
-          largest = c;
-        }
+      for (int c = 0; c < children.count; ++c) {
+        const double own = children.all[c].inner ? tree_.nodes[children.all[c].node].box.half_area() : -2;
+        if (own > area) area = own, largest = c;
       }
-      if (largest == children.end()) break;
-      const std::uint32_t opened = largest->node;
-      children.erase(largest);
+      if (largest < 0) break;
+      const std::uint32_t opened = children.all[largest].node;
+      std::copy(children.all + largest + 1, children.all + children.count, children.all + largest);
+      --children.count;
       open(opened);
     }
     // Inner children first; among them first where most surface is met for least work: rays that ask for any
-    // hit go through them in this order.
-    std::stable_sort(children.begin(), children.end(), [&](const Child& a, const Child& b) {
+    // hit go through them in this order. Equal ones stay as they are.
+    const auto before = [&](const Child& a, const Child& b) {
       return a.inner != b.inner ? a.inner : promise_[a.node] > promise_[b.node];
-    });
+    };
+    for (int i = 1; i < children.count; ++i) {
+      for (int k = i; k > 0 && before(children.all[k], children.all[k - 1]); --k)
+        std::swap(children.all[k], children.all[k - 1]);
+    }
     return children;
   }
 
@@ -133,7 +149,7 @@ class Collapser {
   }
 
   void emit(Pending at, std::vector<Pending>& stack) {
-    const std::vector<Child> children = children_of(at.binary);
+    const Children children = children_of(at.binary);
     const auto inner = static_cast<std::uint32_t>(
         std::count_if(children.begin(), children.end(), [](auto& c) { return c.inner; }));
     const auto first_inner = static_cast<std::uint32_t>(bvh_.node_count());
@@ -143,10 +159,10 @@ class Collapser {
     words[0] = words[1] = words[2] = glm::uvec4(0);
     std::array<std::uint32_t, 4> masks{};
     for (std::uint32_t c = 0; c < children.size(); ++c) {
-      const BinaryNode& node = tree_.nodes[children[c].node];
+      const BinaryNode& node = tree_.nodes[children.all[c].node];
       for (int axis = 0; axis < 3; ++axis) words[axis][c] = extent_word(node.box, axis);
-      if (children[c].inner) {
-        stack.push_back({children[c].node, first_inner + c});
+      if (children.all[c].inner) {
+        stack.push_back({children.all[c].node, first_inner + c});
         continue;
       }
       const auto from = static_cast<std::uint32_t>(bvh_.order.size()) - first_slot;

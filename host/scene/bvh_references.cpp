@@ -44,7 +44,7 @@ struct Polygon {
 }  // namespace
 
 Reference make_reference(const Box& box, std::uint32_t primitive) {
-  Reference r;
+  Reference r{};
   for (int a = 0; a < 3; ++a) {
     r.low[a] = rounded_down(box.low[a]);
     r.high[a] = rounded_up(box.high[a]);

@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <glm/vec4.hpp>
 #include <span>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 #include "scene/bvh.h"
 
@@ -11,15 +14,21 @@ namespace capcon {
 
 /// A box of floats with the number of boxes that it holds.
 struct FloatBox {
-  float low[3] = {3e38f, 3e38f, 3e38f};
-  float high[3] = {-3e38f, -3e38f, -3e38f};
+  float low[4] = {3e38f, 3e38f, 3e38f, 0};  ///< the fourth of each means nothing: four are one vector
+  float high[4] = {-3e38f, -3e38f, -3e38f, 0};
 
+  /// A FloatBox or a Reference.
   template <class AnyBox>
   void add(const AnyBox& b) {
+#ifdef __SSE2__
+    _mm_storeu_ps(low, _mm_min_ps(_mm_loadu_ps(b.low), _mm_loadu_ps(low)));
+    _mm_storeu_ps(high, _mm_max_ps(_mm_loadu_ps(b.high), _mm_loadu_ps(high)));
+#else
     for (int a = 0; a < 3; ++a) {
       low[a] = std::min(low[a], b.low[a]);
       high[a] = std::max(high[a], b.high[a]);
     }
+#endif
   }
   /// Half the surface; 0 for an empty box.
   double half_area() const {
@@ -30,7 +39,7 @@ struct FloatBox {
 
 /// A primitive, or the part of it in a box: what the builder sorts into a tree. Rounded outward.
 struct Reference {
-  float low[3], high[3];
+  float low[4], high[4];  ///< as in FloatBox
   std::uint32_t primitive = 0;
 
   float centre(int axis) const { return 0.5f * (low[axis] + high[axis]); }

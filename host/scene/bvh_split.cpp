@@ -5,7 +5,13 @@
 namespace capcon {
 namespace {
 
-constexpr int kBins = 32;
+constexpr int kBins = 32;   // at most
+constexpr int kFewest = 4;  // of small nodes: most nodes are small, and their bins mostly empty
+
+/// As many bins as references, within these bounds.
+int bins_for(std::size_t count) {
+  return static_cast<int>(std::clamp<std::size_t>(count, kFewest, kBins));
+}
 
 /// What falls into one bin: boxes, and how many references begin and end there.
 struct Bin {
@@ -17,17 +23,17 @@ using Bins = std::array<Bin, kBins>;
 
 /// The cheapest of the planes between bins. `plane(i)`: where bin i begins.
 template <class Plane>
-void sweep(const Bins& bins, int axis, std::size_t count, std::size_t spare, const Plane& plane,
-           Split& best) {
+void sweep(const Bins& bins, int bin_count, int axis, std::size_t count, std::size_t spare,
+           const Plane& plane, Split& best) {
   std::array<FloatBox, kBins> right;
   FloatBox box;
-  for (int b = kBins - 1; b > 0; --b) {
+  for (int b = bin_count - 1; b > 0; --b) {
     box.add(bins[b].box);
     right[b] = box;
   }
   FloatBox left;
   std::size_t left_count = 0, right_count = count;
-  for (int b = 0; b + 1 < kBins; ++b) {
+  for (int b = 0; b + 1 < bin_count; ++b) {
     left.add(bins[b].box);
     left_count += bins[b].begins;
     right_count -= bins[b].ends;
@@ -35,37 +41,45 @@ void sweep(const Bins& bins, int axis, std::size_t count, std::size_t spare, con
     const double cost = left.half_area() * static_cast<double>(left_count) +
                         right[b + 1].half_area() * static_cast<double>(right_count);
     if (cost >= best.cost) continue;
-    best = {axis,
-            plane(b + 1),
-            left,
-            right[b + 1],
-            static_cast<std::uint32_t>(left_count),
-            static_cast<std::uint32_t>(right_count),
-            cost};
+    best.axis = axis;
+    best.plane = plane(b + 1);
+    best.left = left;
+    best.right = right[b + 1];
+    best.left_count = static_cast<std::uint32_t>(left_count);
+    best.right_count = static_cast<std::uint32_t>(right_count);
+    best.cost = cost;
   }
 }
 
 }  // namespace
 
 Split best_object_split(std::span<const Reference> references, const FloatBox& centres) {
-  Split best;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float low = centres.low[axis], width = (centres.high[axis] - low) / kBins;
-    if (!(width > 0) || !(1 / width < 3e38f)) continue;
-    // Bins by comparison with the very planes that divide later, so that counts are what they will be.
-    const auto plane = [&](int b) { return low + width * static_cast<float>(b); };
-    const float scale = 1 / width;
-    Bins bins;
-    for (const Reference& r : references) {
-      const float c = r.centre(axis);
-      int b = std::clamp(static_cast<int>((c - low) * scale), 0, kBins - 1);
-      while (b > 0 && c < plane(b)) --b;
-      while (b + 1 < kBins && c >= plane(b + 1)) ++b;
-      bins[b].box.add(r);
-      ++bins[b].begins;
-      ++bins[b].ends;
+  const int count = bins_for(2 * references.size());
+  std::array<CentreBins, 3> axes;
+  std::array<Bins, 3> bins;
+  for (int a = 0; a < 3; ++a) {
+    const float width = (centres.high[a] - centres.low[a]) / static_cast<float>(count);
+    const bool usable = width > 0 && 1 / width < 3e38f;
+    axes[a] = {centres.low[a], usable ? 1 / width : 0, count};
+  }
+  for (const Reference& r : references) {
+    for (int a = 0; a < 3; ++a) {
+      Bin& bin = bins[a][axes[a].of(r.centre(a))];
+      bin.box.add(r);
+      ++bin.begins;
     }
-    sweep(bins, axis, references.size(), 0, plane, best);
+  }
+  Split best;
+  for (int a = 0; a < 3; ++a) {
+    if (!(axes[a].scale > 0)) continue;
+    for (int b = 0; b < count; ++b) bins[a][b].ends = bins[a][b].begins;
+    const double before = best.cost;
+    sweep(
+        bins[a], count, a, references.size(), 0, [](int b) { return static_cast<float>(b); }, best);
+    if (best.cost < before) {
+      best.bin = static_cast<int>(best.plane);
+      best.bins = axes[a];
+    }
   }
   return best;
 }
@@ -93,7 +107,7 @@ Split best_spatial_split(std::span<const Reference> references, const FloatBox& 
       }
     }
     for (int b = 0; b < kBins; ++b) bins[b].box.add(parts[b]);
-    sweep(bins, axis, references.size(), spare, plane, best);
+    sweep(bins, kBins, axis, references.size(), spare, plane, best);
   }
   return best;
 }

@@ -6,10 +6,21 @@
 
 namespace capcon {
 
+/// Equal bins of the centres on one axis.
+struct CentreBins {
+  float low = 0, scale = 0;  ///< scale 0: all centres lie in one plane
+  int count = 1;
+
+  int of(float centre) const { return std::clamp(static_cast<int>((centre - low) * scale), 0, count - 1); }
+};
+
 /// A way to divide references in two, with the boxes and counts of both sides.
 struct Split {
   int axis = -1;    ///< -1: there is none
-  float plane = 0;  ///< centres (object split) or space (spatial split) below it go left
+  float plane = 0;  ///< of a spatial split: what lies below it goes left
+  /// Of an object split: bins of centres before this one go left.
+  CentreBins bins;
+  int bin = 0;
   FloatBox left, right;
   std::uint32_t left_count = 0, right_count = 0;
   double cost = 1e300;  ///< of both sides, counts weighted by half areas

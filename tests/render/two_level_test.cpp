@@ -135,7 +135,8 @@ TEST(TwoLevels, AnyDepthOfStack) {
 
 TEST(TwoLevels, IdsDoNotDependOnTheLevels) {
   const Scene scene = instanced_scene(10, 6);
-  const Geometry flat = build_geometry(scene), two = build_geometry(scene, {true, true, false});
+  const Geometry flat = build_geometry(scene),
+                 two = build_geometry(scene, {.two_level = true, .keep_instances = true});
   EXPECT_EQ(flat.triangle_count, two.triangle_count);
   EXPECT_EQ(flat.quadric_count, two.quadric_count);
   EXPECT_EQ(flat.triangle_count, scene.instanced_triangles());
