@@ -37,11 +37,13 @@ bool wants_two_levels(const Scene& scene, const std::string& instancing) {
   return all > kSmall && all >= 2 * scene.unique_triangles();
 }
 
-bool wants_best_tree(const Scene& scene, const AmbientOcclusionJob* job, const std::string& tree) {
+bool wants_best_tree(const Scene& scene, bool keep_instances, const AmbientOcclusionJob* job,
+                     const std::string& tree) {
   if (tree != "auto" || !job) return tree != "fast";
-  constexpr double kRaysATriangle = 25;
+  constexpr double kRaysATriangle = 60;
   const double rays = double(scene.film.width) * scene.film.height * job->samples;
-  return rays >= kRaysATriangle * static_cast<double>(scene.unique_triangles());
+  const std::uint64_t triangles = keep_instances ? scene.unique_triangles() : scene.instanced_triangles();
+  return rays >= kRaysATriangle * static_cast<double>(triangles);
 }
 
 }  // namespace capcon

@@ -78,10 +78,11 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
   // written out as before.
   Geometry geometry;
   try {
+    const bool keep_instances = wants_two_levels(scene, options.instancing);
     geometry = build_geometry(scene, {.two_level = features.two_level,
-                                      .keep_instances = wants_two_levels(scene, options.instancing),
+                                      .keep_instances = keep_instances,
                                       .details = features.details,
-                                      .cut = wants_best_tree(scene, first, options.tree)});
+                                      .cut = wants_best_tree(scene, keep_instances, first, options.tree)});
   } catch (...) {
     if (compiling.valid()) compiling.wait();
     throw;

@@ -51,6 +51,18 @@ TEST(Features, FollowFromTheScene) {
   EXPECT_FALSE(of(testing::round_things(), PixelPosition::centre).images);
 }
 
+TEST(Features, TreesAreCutForManyRays) {
+  const Scene scene = testing::random_soup(400, 1);  // 1,920 pixels: 4.8 rays a triangle and sample
+  auto j = job();
+  j.samples = 8;
+  EXPECT_FALSE(wants_best_tree(scene, false, &j, "auto"));
+  EXPECT_TRUE(wants_best_tree(scene, false, &j, "best"));
+  j.samples = 64;
+  EXPECT_TRUE(wants_best_tree(scene, false, &j, "auto"));
+  EXPECT_FALSE(wants_best_tree(scene, false, &j, "fast"));
+  EXPECT_TRUE(wants_best_tree(scene, false, nullptr, "auto"));
+}
+
 TEST(Features, WhatIsNotNeededHasNoBuffer) {
   Renderer needed(testing::random_soup(400, 1), lavapipe()),
       everything(testing::random_soup(400, 1), lavapipe(true));
