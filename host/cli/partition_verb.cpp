@@ -20,7 +20,7 @@ struct Options {
   std::uint32_t width = 8;
   std::uint64_t tiling = 1;
   PartitionOptions partition;
-  bool json = false;
+  bool json = false, quiet = false;
 };
 
 Points input_points(const Options& o) {
@@ -63,7 +63,7 @@ void run(const Options& o) {
     fmt::print("{}\n", result.dump(2));
   } else if (o.output.empty()) {
     fmt::print("{}", format_points(subsets));
-  } else {
+  } else if (!o.quiet) {
     fmt::print(stderr, "{}: {} points in {} subsets, delta_mean {:.3f}, worst {:.3f}\n", o.output,
                points.size(), subsets.size(), mean, worst);
   }
@@ -89,6 +89,7 @@ void add_partition_verb(CLI::App& app) {
   verb->add_option("--seed", o->partition.seed, "Seed of the labels it starts from")->capture_default_str();
   verb->add_option("-o,--output", o->output, "File to write; default: standard output");
   verb->add_flag("--json", o->json, "Measures of each subset as JSON on stdout, instead of points");
+  verb->add_flag("--quiet", o->quiet, "No messages");
   verb->callback([o] { run(*o); });
 }
 
