@@ -157,6 +157,7 @@ Scene parse_pbrt(std::string_view bytes, const std::string& path, const ReadOpti
   PbrtContext context;
   context.options = options;
   context.folder = std::filesystem::path(path).parent_path();
+  context.scene.folder = context.folder.string();
   context.scene.name = std::filesystem::path(path).stem().string();
   std::error_code error;
   context.includes.push_back(std::filesystem::weakly_canonical(path, error));

@@ -104,6 +104,8 @@ struct SceneImage {
 /// One flat scene: what a scene file says, with all files it names read, transforms applied down to objects.
 struct Scene {
   std::string name;  ///< file name without folder and extension
+  std::string
+      folder;  ///< of the scene file: other files are named relative to it, or to the file that names them
   Film film;
   Camera camera;
   std::vector<TriangleMesh> meshes;
@@ -116,7 +118,7 @@ struct Scene {
   std::vector<Entity> lights;
   std::vector<Entity> area_lights;
   std::vector<Entity> textures;
-  std::vector<SceneImage> images;  ///< read only if ReadOptions asks for them, each file once
+  std::vector<SceneImage> images;     ///< read only if ReadOptions asks for them, each file once
   std::vector<std::string> warnings;  ///< one sentence each, each thing once
 
   /// Triangles of all shapes (hidden ones too), those of an object once; spheres and disks have none.

@@ -112,7 +112,8 @@ double read_number(const Parameters& parameters, const std::string& name, double
   const Parameters::Entry* entry = find_entry(parameters, name);
   if (!entry || entry->type == "texture") return fallback;
   const double value = parameters.number(name, fallback);
-  if (!(value >= least)) throw InputError(entry->place, fmt::format("\"{}\" must be {} or more", name, least));
+  if (!(value >= least))
+    throw InputError(entry->place, fmt::format("\"{}\" must be {} or more", name, least));
   return value;
 }
 

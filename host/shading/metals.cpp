@@ -9,8 +9,8 @@ struct GlassIndex {
 };
 
 constexpr GlassIndex kGlasses[] = {
-    {"glass-BK7", 1.5168},   {"glass-BAF10", 1.6700},  {"glass-FK51A", 1.4866}, {"glass-LASF9", 1.8502},
-    {"glass-F5", 1.6727},    {"glass-F10", 1.7283},    {"glass-F11", 1.7847},  // SF5, SF10, SF11 in pbrt-v4
+    {"glass-BK7", 1.5168}, {"glass-BAF10", 1.6700}, {"glass-FK51A", 1.4866}, {"glass-LASF9", 1.8502},
+    {"glass-F5", 1.6727},  {"glass-F10", 1.7283},   {"glass-F11", 1.7847},  // SF5, SF10, SF11 in pbrt-v4
 };
 
 }  // namespace

@@ -55,8 +55,8 @@ class TextureReader {
 
  private:
   void approximate(const std::string& type, const glm::dvec3& colour) {
-    approximations_.push_back(
-        fmt::format("its texture \"{}\" is the constant {:.3g} {:.3g} {:.3g}", type, colour.x, colour.y, colour.z));
+    approximations_.push_back(fmt::format("its texture \"{}\" is the constant {:.3g} {:.3g} {:.3g}", type,
+                                          colour.x, colour.y, colour.z));
   }
 
   /// A colour, or the texture that it names.

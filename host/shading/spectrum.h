@@ -33,12 +33,12 @@ double luminance(const glm::dvec3& rgb);
 glm::dvec3 rgb_of_emission(const Spectrum& spectrum);
 
 /// A reflectance, or eta and k of a metal: the same, divided by the sRGB of the constant spectrum 1. So a
-/// constant spectrum stays what it is, and a white wall is white under white light. (pbrt-v2 and v3 leave that
-/// division out: their values are these times rgb_of_emission of 1, about 1.20, 0.95, 0.91.)
+/// constant spectrum stays what it is, and a white wall is white under white light. (pbrt-v2 and v3 leave
+/// that division out: their values are these times rgb_of_emission of 1, about 1.20, 0.95, 0.91.)
 glm::dvec3 rgb_of_reflectance(const Spectrum& spectrum);
 
-/// The weights of rgb_of_reflectance for values at these wavelengths: the sum of value x weight is the colour,
-/// up to its negative part. For many spectra over the same wavelengths.
+/// The weights of rgb_of_reflectance for values at these wavelengths: the sum of value x weight is the
+/// colour, up to its negative part. For many spectra over the same wavelengths.
 std::vector<glm::dvec3> reflectance_weights(const std::vector<double>& wavelengths);
 
 /// Planck's law at `kelvin` > 0, divided by its peak (Wien's law): 1 at the peak.
@@ -46,8 +46,8 @@ double blackbody(double wavelength, double kelvin);
 /// Linear sRGB of a black body whose spectrum peaks at 1, as pbrt-v3 has it.
 glm::dvec3 rgb_of_blackbody(double kelvin);
 
-/// Linear sRGB with Y = 1 of a standard illuminant named as in pbrt-v4 ("stdillum-D65", "stdillum-A"); nothing
-/// for a name that is not known. D of any number by the daylight locus of CIE 15:2004, section 3.1.
+/// Linear sRGB with Y = 1 of a standard illuminant named as in pbrt-v4 ("stdillum-D65", "stdillum-A");
+/// nothing for a name that is not known. D of any number by the daylight locus of CIE 15:2004, section 3.1.
 std::optional<glm::dvec3> rgb_of_illuminant(const std::string& name);
 
 }  // namespace capcon

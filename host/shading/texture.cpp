@@ -14,8 +14,7 @@ double encoded(double value) {
 /// Coordinate of a texel after wrapping, -1 where it is black.
 std::int64_t wrapped(double coordinate, std::int64_t size, Wrap wrap) {
   const double extent = static_cast<double>(size);
-  if (wrap == Wrap::clamp)
-    return static_cast<std::int64_t>(std::min(std::max(coordinate, 0.0), extent - 1));
+  if (wrap == Wrap::clamp) return static_cast<std::int64_t>(std::min(std::max(coordinate, 0.0), extent - 1));
   if (wrap == Wrap::black && !(coordinate >= 0 && coordinate < extent)) return -1;
   return static_cast<std::int64_t>(coordinate - std::floor(coordinate / extent) * extent) % size;
 }
