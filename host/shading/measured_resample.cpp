@@ -32,7 +32,8 @@ Angles angles_of(const glm::dvec3& in, const glm::dvec3& out) {
 
 /// The directions of half-difference angles.
 std::pair<glm::dvec3, glm::dvec3> directions_of(const Angles& a) {
-  const glm::dvec3 half(std::sin(a.half), 0, std::cos(a.half)), tangent(std::cos(a.half), 0, -std::sin(a.half));
+  const glm::dvec3 half(std::sin(a.half), 0, std::cos(a.half)),
+      tangent(std::cos(a.half), 0, -std::sin(a.half));
   const glm::dvec3 side =
       std::sin(a.difference) * (std::cos(a.azimuth) * tangent + std::sin(a.azimuth) * glm::dvec3(0, 1, 0));
   return {std::cos(a.difference) * half + side, std::cos(a.difference) * half - side};
@@ -66,7 +67,8 @@ void fill(Values& values) {
             const auto& neighbour = before[index_of(hh, dd, aa)];
             if (neighbour) sum += *neighbour, ++count;
           };
-          add(h - 1, d, a), add(h + 1, d, a), add(h, d - 1, a), add(h, d + 1, a), add(h, d, a - 1), add(h, d, a + 1);
+          add(h - 1, d, a), add(h + 1, d, a), add(h, d - 1, a), add(h, d + 1, a), add(h, d, a - 1),
+              add(h, d, a + 1);
           if (count == 0) continue;
           values[index_of(h, d, a)] = sum / static_cast<double>(count);
           changed = true;
@@ -76,8 +78,8 @@ void fill(Values& values) {
   }
 }
 
-/// The table of `value`, which has nothing to say where nothing was measured. Nodes of which a direction is below
-/// the horizon are not asked; those within rounding of it are.
+/// The table of `value`, which has nothing to say where nothing was measured. Nodes of which a direction is
+/// below the horizon are not asked; those within rounding of it are.
 template <typename Value>
 MeasuredBrdf tabulate(const Value& value) {
   Values values(static_cast<std::size_t>(kH) * kD * kA);
@@ -99,8 +101,9 @@ MeasuredBrdf tabulate(const Value& value) {
   int holes = 0, all = 0;
   for (int h = 0; h < kH; ++h) holes += missing[h], all += asked[h];
   if (holes > 0) {
-    brdf.remarks.push_back(fmt::format("{:.1f} % of its directions were not measured and take their neighbours' values",
-                                       std::max(0.1, 100.0 * holes / all)));
+    brdf.remarks.push_back(
+        fmt::format("{:.1f} % of its directions were not measured and take their neighbours' values",
+                    std::max(0.1, 100.0 * holes / all)));
   }
   fill(values);
   brdf.values.reserve(values.size());
@@ -121,7 +124,8 @@ glm::dvec3 MeasuredBrdf::operator()(const glm::dvec3& in, const glm::dvec3& out)
   if (!(in.z > 0) || !(out.z > 0)) return glm::dvec3(0);
   const Angles angles = angles_of(in, out);
   const double positions[3] = {std::sqrt(angles.half / (kPi / 2)) * (kH - 1),
-                               angles.difference / (kPi / 2) * (kD - 1), angles.azimuth / (kPi / 2) * (kA - 1)};
+                               angles.difference / (kPi / 2) * (kD - 1),
+                               angles.azimuth / (kPi / 2) * (kA - 1)};
   const int sizes[3] = {kH, kD, kA};
   int first[3];
   double t[3];
@@ -147,7 +151,8 @@ MeasuredBrdf resample(const CornellBrdf& measured) {
     points.push_back({marschner(s.theta_in, s.theta_out, s.phi_in - s.phi_out), s.value});
   const std::size_t wanted = std::min<std::size_t>(3, points.size());
   MeasuredBrdf brdf = tabulate([&](const Angles&, const glm::dvec3& in, const glm::dvec3& out) {
-    const double theta_in = std::acos(std::clamp(in.z, 0.0, 1.0)), theta_out = std::acos(std::clamp(out.z, 0.0, 1.0));
+    const double theta_in = std::acos(std::clamp(in.z, 0.0, 1.0)),
+                 theta_out = std::acos(std::clamp(out.z, 0.0, 1.0));
     const double turn = std::atan2(in.y, in.x) - std::atan2(out.y, out.x);
     const glm::dvec3 at = marschner(theta_in, theta_out, turn);
     std::vector<double> distances(points.size());
@@ -177,11 +182,13 @@ MeasuredBrdf resample(const CornellBrdf& measured) {
 
 MeasuredBrdf resample(const MerlBrdf& measured) {
   const auto [halves, differences, azimuths] = measured.size;
-  const auto cell = [&, differences = differences, azimuths = azimuths](int h, int d, int a) -> const glm::vec3& {
+  const auto cell = [&, differences = differences, azimuths = azimuths](int h, int d,
+                                                                        int a) -> const glm::vec3& {
     return measured.values[(static_cast<std::size_t>(h) * differences + d) * azimuths + a];
   };
   return tabulate([&, halves = halves, differences = differences, azimuths = azimuths](
-                      const Angles& angles, const glm::dvec3&, const glm::dvec3&) -> std::optional<glm::dvec3> {
+                      const Angles& angles, const glm::dvec3&,
+                      const glm::dvec3&) -> std::optional<glm::dvec3> {
     // A value belongs to the middle of its bin.
     const double h = std::sqrt(angles.half / (kPi / 2)) * halves - 0.5;
     const double d = angles.difference / (kPi / 2) * differences - 0.5;
@@ -192,7 +199,8 @@ MeasuredBrdf resample(const MerlBrdf& measured) {
       const double left[3] = {std::floor(h), std::floor(d), std::floor(a)};
       for (int corner = 0; corner < 8; ++corner) {
         const int up[3] = {corner & 1, corner >> 1 & 1, corner >> 2};
-        const double weight = (up[0] ? h - left[0] : 1 - h + left[0]) * (up[1] ? d - left[1] : 1 - d + left[1]) *
+        const double weight = (up[0] ? h - left[0] : 1 - h + left[0]) *
+                              (up[1] ? d - left[1] : 1 - d + left[1]) *
                               (up[2] ? a - left[2] : 1 - a + left[2]);
         const int hh = std::clamp(static_cast<int>(left[0]) + up[0], 0, halves - 1);
         const int dd = std::clamp(static_cast<int>(left[1]) + up[1], 0, differences - 1);

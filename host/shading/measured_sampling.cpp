@@ -13,18 +13,21 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kRings = 160, kTurns = 48;
 
-/// Calls visit(in, weight) over the hemisphere of `in`: midpoints in the half vector, denser towards the normal,
-/// where glossy BRDFs have their peaks. d in = 4 (out . half) d half. `out` is in the plane y = 0, and so half of
-/// the hemisphere is enough.
+/// Calls visit(in, weight) over the hemisphere of `in`: midpoints in the half vector, denser towards the
+/// normal, where glossy BRDFs have their peaks. d in = 4 (out . half) d half. `out` is in the plane y = 0,
+/// and so half of the hemisphere is enough.
 template <typename Visit>
 void each_direction(const glm::dvec3& out, const Visit& visit) {
   for (int ring = 0; ring < kRings; ++ring) {
     const double t = (ring + 0.5) / kRings, theta = t * t * kPi / 2;
-    const auto edge = [](int i) { return std::cos(static_cast<double>(i) * i / (kRings * kRings) * kPi / 2); };
+    const auto edge = [](int i) {
+      return std::cos(static_cast<double>(i) * i / (kRings * kRings) * kPi / 2);
+    };
     const double patch = (edge(ring) - edge(ring + 1)) * 2 * kPi / kTurns;
     for (int turn = 0; turn < kTurns; ++turn) {
       const double phi = (turn + 0.5) / kTurns * kPi;
-      const glm::dvec3 half(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+      const glm::dvec3 half(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                            std::cos(theta));
       const double cosine = glm::dot(out, half);
       const glm::dvec3 in = 2 * cosine * half - out;
       if (cosine > 0 && in.z > 0) visit(in, 4 * cosine * patch);
@@ -88,7 +91,8 @@ void fit_sampling(MeasuredBrdf& brdf) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= 24; ++i) try_alpha(pairs, std::pow(0.005, i / 24.0), least, brdf);
   const double coarse = brdf.alpha;  // steps of a factor 1.25; finer ones about the best
-  for (int i = -4; i <= 4; ++i) try_alpha(pairs, std::clamp(coarse * std::pow(1.05, i), 0.005, 1.0), least, brdf);
+  for (int i = -4; i <= 4; ++i)
+    try_alpha(pairs, std::clamp(coarse * std::pow(1.05, i), 0.005, 1.0), least, brdf);
 }
 
 }  // namespace capcon
