@@ -14,6 +14,8 @@
 namespace capcon {
 namespace {
 
+constexpr double kLargest = 1e30;  // so that products of a few stay finite
+
 /// Pairs of wavelength and value.
 Spectrum pairs(const std::vector<double>& numbers, const SourcePlace& place, const std::string& what) {
   if (numbers.empty() || numbers.size() % 2 != 0)
@@ -100,6 +102,9 @@ std::optional<glm::dvec3> read_colour(const Parameters& parameters, const std::s
   if (!is_named && !std::holds_alternative<std::vector<double>>(entry->value))
     throw InputError(entry->place, what + " must be a colour");
   const glm::dvec3 colour = is_named ? of_name(*entry, what, use) : of_numbers(*entry, what, use);
+  for (int c = 0; c < 3; ++c) {
+    if (!(colour[c] <= kLargest)) throw InputError(entry->place, what + " is too large");
+  }
   return glm::max(colour, glm::dvec3(0));
 }
 
@@ -114,6 +119,7 @@ double read_number(const Parameters& parameters, const std::string& name, double
   const double value = parameters.number(name, fallback);
   if (!(value >= least))
     throw InputError(entry->place, fmt::format("\"{}\" must be {} or more", name, least));
+  if (!(value <= kLargest)) throw InputError(entry->place, fmt::format("\"{}\" is too large", name));
   return value;
 }
 

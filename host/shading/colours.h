@@ -25,7 +25,7 @@ std::optional<glm::dvec3> read_colour(const Parameters& parameters, const std::s
 glm::dvec3 read_colour(const Parameters& parameters, const std::string& name, ColourUse use,
                        const glm::dvec3& fallback);
 
-/// A number that is finite and at least `least`. InputError with its place otherwise.
+/// A number from `least` to 1e30. InputError with its place otherwise.
 double read_number(const Parameters& parameters, const std::string& name, double fallback, double least);
 
 }  // namespace capcon

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <glm/common.hpp>
 
 #include "shading/roughness.h"
 
@@ -13,6 +12,13 @@ namespace capcon {
 namespace {
 
 constexpr int kDeepest = 16;  // mixes of mixes; one that holds itself ends here
+
+/// Within [0, 1], 0 for what is no number.
+glm::dvec3 bounded(const glm::dvec3& colour) {
+  glm::dvec3 result;
+  for (int c = 0; c < 3; ++c) result[c] = colour[c] > 0 ? std::min(colour[c], 1.0) : 0;
+  return result;
+}
 
 /// The file of that name, beside the scene or beside the file that names it; empty when there is none.
 std::filesystem::path find_file(const Scene& scene, const std::string& name, const SourcePlace& place) {
@@ -44,7 +50,7 @@ void MaterialReader::albedo(Material& material, const std::string& name, double 
   for (const std::string& phrase : phrases) say(phrase);
   texture.factor *= factor;
   texture.average *= factor;
-  material.reflectance = glm::min(texture.average, glm::dvec3(1));
+  material.reflectance = bounded(texture.average);
   if (texture.image < 0) return;
   material.texture = static_cast<int>(materials_.textures.size());
   materials_.textures.push_back(texture);
@@ -65,9 +71,9 @@ glm::dvec3 MaterialReader::colour(const std::string& name, const glm::dvec3& fal
 }
 
 glm::dvec3 MaterialReader::reflectance(const std::string& name, const glm::dvec3& fallback) {
-  const glm::dvec3 value = colour(name, fallback), bounded = glm::min(value, glm::dvec3(1));
-  if (bounded != value) say(fmt::format("\"{}\" is bounded by 1", name));
-  return bounded;
+  const glm::dvec3 value = colour(name, fallback), within = bounded(value);
+  if (within != value) say(fmt::format("\"{}\" is bounded by 1", name));
+  return within;
 }
 
 double MaterialReader::number(const std::string& name, double fallback) {

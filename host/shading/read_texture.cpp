@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <glm/common.hpp>
 #include <utility>
 
 #include "shading/colours.h"
@@ -109,7 +110,8 @@ class TextureReader {
   Texture mixed(const Entity& entity, int depth) {
     const Texture one = parameter(entity, "tex1", 0, depth), two = parameter(entity, "tex2", 1, depth);
     const Texture amount = parameter(entity, "amount", 0.5, depth);
-    const glm::dvec3 colour = (1.0 - amount.average) * one.average + amount.average * two.average;
+    const glm::dvec3 part = glm::clamp(amount.average, 0.0, 1.0);
+    const glm::dvec3 colour = (1.0 - part) * one.average + part * two.average;
     if (one.image >= 0 || two.image >= 0 || amount.image >= 0) approximate("mix", colour);
     return constant(colour);
   }

@@ -262,6 +262,7 @@ TEST(Material, MistakesHaveTheirPlace) {
             "s.pbrt:2:18: the wavelengths of \"spectrum Kd\" must rise; 300 follows 400");
   EXPECT_EQ(error("Material \"matte\" \"spectrum Kd\" [400]"),
             "s.pbrt:2:18: \"spectrum Kd\" must hold pairs of a wavelength and a value");
+  EXPECT_EQ(error("Material \"matte\" \"float Kd\" 1e31"), "s.pbrt:2:18: \"float Kd\" is too large");
   EXPECT_EQ(error("Material \"measured\""), "s.pbrt:2:1: a measured material needs its \"string filename\"");
 }
 

@@ -84,13 +84,15 @@ TEST(Texture, WhatIsNoImageBecomesItsMean) {
       "Texture \"c\" \"spectrum\" \"constant\" \"rgb value\" [1 0 0]\n"
       "Texture \"k\" \"spectrum\" \"checkerboard\" \"texture tex1\" \"c\" \"rgb tex2\" [0 0 1]\n"
       "Texture \"m\" \"spectrum\" \"mix\" \"texture tex1\" \"c\" \"rgb tex2\" [0 0 1] \"float amount\" .25\n"
+      "Texture \"n\" \"spectrum\" \"mix\" \"texture tex1\" \"c\" \"rgb tex2\" [0 0 1] \"float amount\" 9\n"
       "Texture \"f\" \"spectrum\" \"fbm\"");
   const auto average = [&](int i) {
     return read_texture(scene, scene.textures[i], glm::dvec3(0.3), said).average;
   };
   EXPECT_EQ(average(1), glm::dvec3(0.5, 0, 0.5));
   EXPECT_EQ(average(2), glm::dvec3(0.75, 0, 0.25));
-  EXPECT_EQ(average(3), glm::dvec3(0.3));
+  EXPECT_EQ(average(3), glm::dvec3(0, 0, 1));  // amounts are bounded
+  EXPECT_EQ(average(4), glm::dvec3(0.3));
   EXPECT_EQ(said.size(), 2u);  // the mix of constants is exact
 }
 
