@@ -29,6 +29,7 @@ CAPCON_CONST kSamplerSobolXor = 2u;
 CAPCON_CONST kSamplerSobolOwen = 3u;
 CAPCON_CONST kSamplerCcvt = 4u;
 CAPCON_CONST kSamplerCapcon = 5u;
+CAPCON_CONST kSamplerCapconDomain = 6u;
 
 // Specialisation constants.
 CAPCON_CONST kSpecSampler = 0u;      // a sampler id

@@ -241,7 +241,7 @@ void add_render_verb(CLI::App& app) {
   verb->add_option("scene", o->scene, "Scene: .pbrt (v4, v3 or v2 text), .ply or .obj")->required();
   verb->add_option("-o,--output", o->output, "Image to write: .exr (results) or .png (preview)");
   verb->add_option("--sampler", o->job.sampler,
-                   "Where sample points come from: random jittered sobol-xor sobol-owen ccvt capcon")
+                   "Where sample points come from: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain")
       ->capture_default_str();
   verb->add_option("--samples", o->job.samples, "Occlusion rays a pixel")
       ->capture_default_str()

@@ -156,7 +156,7 @@ void add_study_verb(CLI::App& app) {
       ->capture_default_str();
   study
       ->add_option("--samplers", s.samplers,
-                   "any of: random jittered sobol-xor sobol-owen ccvt capcon (default: all)")
+                   "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain (default: all)")
       ->delimiter(',')
       ->allow_extra_args(false);
   study->add_option("--samples", o->samples, "samples a pixel: counts and doubling ranges")

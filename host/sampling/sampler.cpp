@@ -21,7 +21,7 @@ using Maker = std::unique_ptr<Sampler> (*)(std::uint32_t, std::uint32_t);
 const std::vector<std::pair<std::string, Maker>>& makers() {
   static const std::vector<std::pair<std::string, Maker>> all = {
       {"random", make_random_sampler},       {"jittered", make_jittered_sampler}, {"sobol-xor", make_sobol_xor_sampler},
-      {"sobol-owen", make_sobol_owen_sampler}, {"ccvt", make_ccvt_sampler},         {"capcon", make_capcon_sampler}};
+      {"sobol-owen", make_sobol_owen_sampler}, {"ccvt", make_ccvt_sampler},         {"capcon", make_capcon_sampler}, {"capcon-domain", make_capcon_domain_sampler}};
   return all;
 }
 }  // namespace

@@ -45,7 +45,7 @@ class Sampler {
   std::uint32_t seed_;
 };
 
-/// Names that make_sampler knows: random jittered sobol-xor sobol-owen ccvt capcon.
+/// Names that make_sampler knows: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain.
 const std::vector<std::string>& sampler_names();
 
 /// A sampler for sets of `count` points. Point generation (ccvt) happens here. InputError for an unknown name.

@@ -14,7 +14,8 @@
 namespace capcon {
 
 int sampler_style(const std::string& sampler, const StudySettings& settings) {
-  static constexpr std::array kKnown = {"random", "jittered", "sobol-xor", "sobol-owen", "ccvt", "capcon"};
+  static constexpr std::array kKnown = {"random", "jittered", "sobol-xor",    "sobol-owen",
+                                        "ccvt",   "capcon",   "capcon-domain"};
   const auto known = std::find(kKnown.begin(), kKnown.end(), sampler);
   if (known != kKnown.end()) return static_cast<int>(known - kKnown.begin());
   int others = static_cast<int>(kKnown.size());

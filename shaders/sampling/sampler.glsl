@@ -9,6 +9,7 @@ DATA_TEXELS(kBindSampler, sampler_texels);
 #include "sampling/sobol.glsl"
 #include "sampling/rotated_set.glsl"
 #include "sampling/corner_tiles.glsl"
+#include "sampling/domain_set.glsl"
 
 // Point `index` of the set of `count` points of (pixel, dimension pair): 0.32 fixed point.
 uvec2 sample_bits(uvec4 words, uint seed, uint count, uint pixel, uint index, uint dimension) {
@@ -17,6 +18,7 @@ uvec2 sample_bits(uvec4 words, uint seed, uint count, uint pixel, uint index, ui
   if (kSampler == kSamplerSobolOwen) return sample_sobol(true, words, seed, count, pixel, index, dimension);
   if (kSampler == kSamplerCcvt) return sample_rotated_set(words, seed, count, pixel, index, dimension);
   if (kSampler == kSamplerCapcon) return sample_corner_tiles(words, seed, count, pixel, index, dimension);
+  if (kSampler == kSamplerCapconDomain) return sample_domain_set(words, seed, count, pixel, index, dimension);
   return sample_random(seed, pixel, index, dimension);
 }
 

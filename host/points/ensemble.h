@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <vector>
+
+namespace capcon {
+
+/// The domain of an integral, reached from the unit square: itself, or the unit disk by the concentric map
+/// (Shirley and Chiu 1997).
+enum class EnsembleDomain { square, disk };
+
+/// Many sets of n cells each. All cells are alike in area and together tile the domain, so that a random set
+/// with a random point in each of its cells is unbiased for any integrand: every cell is as likely as any
+/// other, and every point of it. Each set covers the domain as evenly as can be.
+struct Ensemble {
+  std::uint32_t columns = 1, rows = 1;  ///< of the grid of cells in the unit square
+  std::uint32_t sets = 1;
+  /// cells[s * n + i]: cell i of set s, column + columns * row.
+  std::vector<std::uint32_t> cells;
+};
+
+struct EnsembleOptions {
+  std::uint32_t points = 16;  ///< n >= 1, of a set
+  EnsembleDomain domain = EnsembleDomain::disk;
+  std::uint64_t seed = 1;
+  /// How long it may take: distances computed, about 1e9 a second and thread.
+  double effort = 1e8;
+};
+
+/// Deals the cells of a grid of about 64 n to sets, and swaps cells between two sets while that lowers the
+/// sum of their energy distances to the domain, ED(X) = (2/n) sum u(x_i) - (1/n^2) sum |x_i - x_j| - const
+/// (Szekely and Rizzo 2013): the mean squared discrepancy over half-planes. The sum over u does not change,
+/// so that what counts is the distances within the sets. Pairs of sets that have no set in common are worked
+/// on at the same time; the result is the same for any number of threads. InputError for n = 0 or beyond
+/// 4096.
+Ensemble make_ensemble(const EnsembleOptions& options);
+
+/// Mean over the sets of (1/n^2) sum |x_i - x_j|, at the cells' centres: what the swaps raise.
+double mean_distance_within(const Ensemble& ensemble, EnsembleDomain domain);
+
+/// A point of the unit square in the domain.
+glm::dvec2 into_domain(EnsembleDomain domain, glm::dvec2 p);
+
+}  // namespace capcon
