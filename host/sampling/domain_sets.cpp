@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -34,8 +35,27 @@ struct Sets {
   std::vector<Cell> cells;
 };
 
+/// Bits of x at the even places, of y at the odd ones.
+std::uint32_t interleave(std::uint32_t x, std::uint32_t y) {
+  const auto spread = [](std::uint32_t v) {
+    v = (v | v << 8) & 0x00ff00ffu;
+    v = (v | v << 4) & 0x0f0f0f0fu;
+    v = (v | v << 2) & 0x33333333u;
+    return (v | v << 1) & 0x55555555u;
+  };
+  return spread(x) | spread(y) << 1;
+}
+
 Sets make_sets(std::uint32_t count, EnsembleDomain domain) {
-  const Ensemble e = make_ensemble({.points = count, .domain = domain});
+  Ensemble e = make_ensemble({.points = count, .domain = domain});
+  // In Morton order lanes that run in step take neighbouring points; a rotation or a flip keeps them
+  // neighbours.
+  for (std::uint32_t s = 0; s < e.sets; ++s) {
+    const auto first = e.cells.begin() + std::ptrdiff_t(s) * count;
+    std::sort(first, first + count, [&](std::uint32_t a, std::uint32_t b) {
+      return interleave(a % e.columns, a / e.columns) < interleave(b % e.columns, b / e.columns);
+    });
+  }
   Sets result{e.sets, {}};
   result.cells.reserve(e.cells.size());
   for (const std::uint32_t c : e.cells) {
