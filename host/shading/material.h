@@ -14,27 +14,33 @@ namespace capcon {
 
 enum class MaterialKind : std::uint8_t { diffuse, conductor, plastic, measured };
 
-/// How a plastic's diffuse base lies under its coat. F is the Fresnel reflectance of (eta, 0).
+/// How a plastic's diffuse base lies under its coat, and what reflects there. F is fresnel(cosine, eta, 0).
 enum class Coat : std::uint8_t {
-  added,       ///< base/pi + coat: pbrt-v2's and v3's "plastic", "uber"
-  substrate,   ///< base times 28/(23 pi) (1 - F0) (1 - (1 - cos_i/2)^5) (1 - (1 - cos_o/2)^5), F0 = specular
-               ///< at normal incidence: Ashikhmin and Shirley, "An Anisotropic Phong BRDF Model", JGT 5(2),
-               ///< 2000
-  transmitted  ///< base/pi (1 - F(cos_i)) (1 - F(cos_o)) / (eta^2 (1 - base F_inner)), F_inner the mean inner
-               ///< reflectance inner_reflectance(eta): "coateddiffuse" without the light that scatters twice
-               ///< in the coat (Weidlich and Wilkie, GRAPHITE 2007, and its use in smooth plastics)
+  /// base/pi + coat, the coat reflects specular F: pbrt-v2's and v3's "plastic", "uber".
+  added,
+  /// The coat reflects F0 + (1 - F0) (1 - cosine)^5, F0 = specular (Schlick), and the base is base 28/(23 pi)
+  /// (1 - F0)
+  /// (1 - (1 - cos_i/2)^5) (1 - (1 - cos_o/2)^5): Ashikhmin and Shirley, "An Anisotropic Phong BRDF Model",
+  /// JGT 5(2),
+  /// 2000. eta is not used.
+  substrate,
+  /// The coat reflects specular F, and the base is base/pi (1 - F(cos_i)) (1 - F(cos_o)) / (eta^2 (1 - base
+  /// F_inner)),
+  /// F_inner = inner_reflectance(eta): light enters, is reflected between base and coat, and leaves
+  /// ("coateddiffuse").
+  transmitted
 };
 
 /// A material as plain values; colours are linear sRGB. The BRDFs, f without the cosine:
 ///   diffuse    reflectance/pi
 ///   conductor  specular F(eta, k) D G1 G1 / (4 cos_i cos_o), D GGX of alpha, G1 Smith's (see microfacet.h)
-///   plastic    the same with k = 0, over a diffuse base, see Coat
+///   plastic    the same with k = 0, over a diffuse base; Coat says how
 ///   measured   Materials::measured[measured]
 struct Material {
   MaterialKind kind = MaterialKind::diffuse;
   Coat coat = Coat::added;
   glm::dvec3 reflectance{0.5};  ///< diffuse, plastic: the base in [0, 1]; with a texture its average
-  glm::dvec3 specular{1};       ///< conductor, plastic: what F is multiplied by, in [0, 1]
+  glm::dvec3 specular{1};       ///< conductor, plastic: what F is multiplied by, in [0, 1]; see Coat
   glm::dvec3 eta{1};            ///< conductor, plastic
   glm::dvec3 k{0};              ///< conductor
   double alpha = 1;             ///< conductor, plastic: GGX, kSmallestAlpha to 1

@@ -47,10 +47,8 @@ Material plastic(MaterialReader& reader) {
 }
 
 Material substrate(MaterialReader& reader) {
-  // F0 = Ks: the dielectric of the index (1 + sqrt F0)/(1 - sqrt F0) in place of Schlick's formula.
-  const glm::dvec3 root = glm::sqrt(glm::min(reader.reflectance("Ks", glm::dvec3(0.5)), glm::dvec3(0.98)));
-  Material material = plastic_of(kWhite, 1, reader.alpha_old(0.1));
-  material.eta = (1.0 + root) / (1.0 - root);
+  const glm::dvec3 specular = reader.reflectance("Ks", glm::dvec3(0.5));
+  Material material = plastic_of(specular, 1, reader.alpha_old(0.1));
   material.coat = Coat::substrate;
   reader.albedo(material, "Kd", 0.5);
   return material;

@@ -17,8 +17,8 @@ namespace capcon {
 /// (-phi_d), so that the table is reciprocal whatever was measured.
 struct MeasuredBrdf {
   static constexpr int kHalf = 64;
-  static constexpr int kDifference = 32;
-  static constexpr int kAzimuth = 16;
+  static constexpr int kDifference = 64;
+  static constexpr int kAzimuth = 32;
 
   std::vector<glm::vec3> values;  ///< 1/sr, linear sRGB, not negative; phi_d fastest, then theta_d
   /// Sampling: with this probability the visible normals of GGX of this alpha (Heitz, JCGT 7(4), 2018), else

@@ -144,7 +144,7 @@ MeasuredBrdf read_measured_brdf(const std::filesystem::path& path) {
                               : resample(parse_cornell_brdf(bytes, path.string()));
   fit_sampling(brdf);
   double most = 0;
-  for (const double cosine : {0.97, 0.87, 0.71, 0.5, 0.26}) {
+  for (const double cosine : {0.97, 0.87, 0.71, 0.5, 0.26, 0.17}) {
     const glm::dvec3 albedo = directional_albedo(brdf, cosine);
     most = std::max({most, albedo.x, albedo.y, albedo.z});
   }

@@ -66,11 +66,10 @@ TEST(Material, OldPlastic) {
 TEST(Material, SubstrateReflectsKsAtNormalIncidence) {
   const Material material = clean(
       "Material \"substrate\" \"color Ks\" [.2 .1 .04] \"float uroughness\" .08 \"float vroughness\" .08");
+  EXPECT_EQ(material.kind, MaterialKind::plastic);
   EXPECT_EQ(material.coat, Coat::substrate);
-  for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(fresnel(1, material.eta[c], 0), (glm::dvec3(0.2, 0.1, 0.04)[c]), 1e-12);
-    EXPECT_NEAR(fresnel(0, material.eta[c], 0), 1, 1e-12);
-  }
+  EXPECT_EQ(material.specular, glm::dvec3(0.2, 0.1, 0.04));
+  EXPECT_EQ(material.reflectance, glm::dvec3(0.5));
   EXPECT_NEAR(material.alpha, alpha_of_v2(0.08), 1e-12);
 }
 
@@ -277,6 +276,19 @@ TEST(Material, FresnelHasItsKnownValues) {
   // Walsh's closed form for 1.5: the mean outer reflectance is 0.0918, the inner one 0.5963.
   EXPECT_NEAR(inner_reflectance(1.5), 0.5963, 2e-4);
   EXPECT_NEAR(inner_reflectance(1), 0, 1e-9);
+}
+
+/// A white base under a smooth coat reflects all light, whatever its angle: Coat::transmitted loses none.
+TEST(Material, TransmittedCoatsPassTheFurnace) {
+  for (const double eta : {1.2, 1.5, 2.0}) {
+    double leaves = 0;  // cosine-weighted mean of 1 - F
+    const int steps = 2000;
+    for (int i = 0; i < steps; ++i) leaves += (1 - fresnel(std::sqrt((i + 0.5) / steps), eta, 0)) / steps;
+    for (const double cosine : {0.1, 0.5, 1.0}) {
+      const double coat = fresnel(cosine, eta, 0);
+      EXPECT_NEAR(coat + (1 - coat) * leaves / (eta * eta * (1 - inner_reflectance(eta))), 1, 1e-4);
+    }
+  }
 }
 
 }  // namespace
