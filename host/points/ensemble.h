@@ -25,7 +25,7 @@ struct EnsembleOptions {
   EnsembleDomain domain = EnsembleDomain::disk;
   std::uint64_t seed = 1;
   /// How long it may take: distances computed, about 1e9 a second and thread.
-  double effort = 1e8;
+  double effort = 3e8;
 };
 
 /// Deals the cells of a grid of about 64 n to sets, and swaps cells between two sets while that lowers the

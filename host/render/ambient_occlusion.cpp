@@ -36,7 +36,7 @@ class Pass {
   RenderResult run() {
     auto start = Clock::now();
     const auto sampler = make_sampler(job_.sampler, job_.samples, job_.seed);
-    tables_ = sampler->tables();
+    tables_ = sampler->tables(job_.position != PixelPosition::jittered);
     const bool jittered = job_.position == PixelPosition::jittered;
     // All samples of a pixel are added up, so that their order is free; not so where each has a place in the
     // pixel.

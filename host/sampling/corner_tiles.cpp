@@ -82,7 +82,7 @@ class CornerTileSampler final : public Sampler {
 
   /// Texels: first the cells (origin x, y; corners 0 and 1, corners 2 and 3 as 16-bit pairs), then the tiles'
   /// points.
-  SamplerTables tables() const override {
+  SamplerTables tables(bool) const override {
     SamplerTables result{layout::kSamplerCapcon, {tiling_.size(), cut_.ranks, stride_, cut_.extra}, {}};
     for (const std::uint32_t cell : cells_) {
       const FixedPoint origin = tiling_.origin(cell);

@@ -80,14 +80,13 @@ class DomainSampler final : public Sampler {
   DomainSampler(std::uint32_t count, std::uint32_t seed)
       : Sampler("capcon-domain", count, seed),
         disk_(known_sets(count, EnsembleDomain::disk)),
-        square_(known_sets(count, EnsembleDomain::square)),
         stride_(coprime_stride(count)) {}
 
   FixedPoint sample(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const override {
     const auto keys = set_words(seed(), pixel, dimension);
     const bool disk = dimension == 0;
     if (!disk) index = shuffle_index(index, count(), stride_, keys[2]);
-    const Sets& sets = disk ? *disk_ : *square_;
+    const Sets& sets = disk ? *disk_ : square();
     const Cell& cell = sets.cells[std::size_t(multiply_high(keys[3], sets.sets)) * count() + index];
     const auto random = pcg4d(pixel, index, dimension, seed());
     const FixedPoint p{cell.x + multiply_high(random[0], cell.width),
@@ -98,16 +97,28 @@ class DomainSampler final : public Sampler {
     return q;
   }
 
-  SamplerTables tables() const override {
-    SamplerTables result{layout::kSamplerCapconDomain, {disk_->sets, square_->sets, stride_, 0}, {}};
-    for (const Sets* sets : {disk_.get(), square_.get()}) {
-      for (const Cell& c : sets->cells) result.texels.emplace_back(c.x, c.y, c.width, c.height);
-    }
+  SamplerTables tables(bool first_only) const override {
+    SamplerTables result{layout::kSamplerCapconDomain, {disk_->sets, 0, stride_, 0}, {}};
+    append(*disk_, result);
+    if (first_only) return result;
+    result.constants[1] = square().sets;
+    append(square(), result);
     return result;
   }
 
  private:
-  std::shared_ptr<const Sets> disk_, square_;
+  static void append(const Sets& sets, SamplerTables& result) {
+    for (const Cell& c : sets.cells) result.texels.emplace_back(c.x, c.y, c.width, c.height);
+  }
+  /// Made when a dimension pair beyond the first is asked for.
+  const Sets& square() const {
+    std::call_once(square_once_, [&] { square_ = known_sets(count(), EnsembleDomain::square); });
+    return *square_;
+  }
+
+  std::shared_ptr<const Sets> disk_;
+  mutable std::once_flag square_once_;
+  mutable std::shared_ptr<const Sets> square_;
   std::uint32_t stride_;
 };
 

@@ -33,7 +33,7 @@ class JitteredSampler final : public Sampler {
     return {in_stratum(cell % columns_, columns_, words[0]), in_stratum(cell / columns_, rows_, words[1])};
   }
 
-  SamplerTables tables() const override { return {layout::kSamplerJittered, {columns_, rows_, stride_, 0}, {}}; }
+  SamplerTables tables(bool) const override { return {layout::kSamplerJittered, {columns_, rows_, stride_, 0}, {}}; }
 
  private:
   std::uint32_t rows_, columns_, stride_;

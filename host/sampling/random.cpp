@@ -14,7 +14,7 @@ class RandomSampler final : public Sampler {
     return {words[0], words[1]};
   }
 
-  SamplerTables tables() const override { return {layout::kSamplerRandom, {}, {}}; }
+  SamplerTables tables(bool) const override { return {layout::kSamplerRandom, {}, {}}; }
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ class RotatedSetSampler final : public Sampler {
     return {points_[index].x + words[0], points_[index].y + words[1]};
   }
 
-  SamplerTables tables() const override {
+  SamplerTables tables(bool) const override {
     SamplerTables result{id_, {0, 0, stride_, 0}, {}};
     for (const FixedPoint p : points_) result.texels.emplace_back(p.x, p.y, 0, 0);
     return result;

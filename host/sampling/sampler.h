@@ -29,7 +29,9 @@ class Sampler {
   virtual ~Sampler() = default;
   /// Point `index` (0 <= index < count) of the set of dimension pair `dimension` of `pixel`.
   virtual FixedPoint sample(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const = 0;
-  virtual SamplerTables tables() const = 0;
+  /// `first_only`: only dimension pair 0 will be asked for, which some samplers need less for.
+  virtual SamplerTables tables(bool first_only) const = 0;
+  SamplerTables tables() const { return tables(false); }
 
   const std::string& name() const { return name_; }
   std::uint32_t count() const { return count_; }

@@ -22,7 +22,7 @@ class SobolSampler final : public Sampler {
     return {reverse_bits(index) ^ words[0], reverse_bits(second) ^ words[1]};
   }
 
-  SamplerTables tables() const override {
+  SamplerTables tables(bool) const override {
     return {owen_ ? layout::kSamplerSobolOwen : layout::kSamplerSobolXor, {0, 0, stride_, 0}, {}};
   }
 
