@@ -70,11 +70,12 @@ MerlBrdf glossy_table(double alpha) {
   return parse_merl_brdf(merl_bytes(90, 90, 180, value), "m");
 }
 
-std::string cornell_text(const std::function<double(double, double, double)>& value) {
+/// Rows over half a turn from `first` degrees.
+std::string cornell_text(const std::function<double(double, double, double)>& value, int first = 0) {
   std::string text = "# a comment\n2\n400 700  # nm\n\n";
   for (int i = 5; i < 90; i += 10) {
     for (int o = 5; o < 90; o += 10) {
-      for (int p = 0; p <= 180; p += 15) {
+      for (int p = first; p <= first + 180; p += 15) {
         const double ti = i * kPi / 180, to = o * kPi / 180, phi = p * kPi / 180;
         const double f = value(ti, to, phi);
         text += fmt::format("{:.9f} 0 {:.9f} {:.9f} {:.9g} {:.9g}\n", ti, to, phi, f, f);
@@ -110,6 +111,24 @@ TEST(Measured, ReciprocalToTheLastDigits) {
     EXPECT_NEAR(brdf(in, out).g, brdf(out, in).g, 1e-9 * brdf(in, out).g);
     const glm::dvec3 mirrored_in(in.x, -in.y, in.z), mirrored_out(out.x, -out.y, out.z);
     EXPECT_NEAR(brdf(in, out).g, brdf(mirrored_in, mirrored_out).g, 1e-9 * brdf(in, out).g);
+  }
+}
+
+TEST(Measured, SidesThatDifferAreAveraged) {
+  // Values by phi_d alone: 1 below pi/2 and 3 above; the table folds one onto the other.
+  const MeasuredBrdf brdf = resample(
+      parse_merl_brdf(merl_bytes(9, 9, 18, [](int, int, int, int a) { return a < 9 ? 1 : 3; }), "m"));
+  EXPECT_NEAR(brdf(direction(0.5, 0), direction(0.7, 1)).g, 2, 1e-5);
+}
+
+TEST(Measured, TurnsOfTheTextAreFolded) {
+  const MeasuredBrdf brdf = resample(parse_cornell_brdf(
+      cornell_text([](double, double, double phi) { return 1 + std::cos(phi); }, 180), "c"));
+  for (const double phi : {0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75}) {
+    for (const double start : {-3.0, 0.0, 2.0}) {
+      const double value = brdf(direction(0.6, start), direction(0.8, start + phi * kPi)).g;
+      EXPECT_NEAR(value, 1 + std::cos(phi * kPi), 0.12) << phi;
+    }
   }
 }
 

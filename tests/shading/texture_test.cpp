@@ -67,6 +67,9 @@ TEST(Texture, AverageIsTheMeanOfTheImage) {
   std::vector<std::string> said;
   Scene scene = with_image("\"float scale\" 2");
   EXPECT_NEAR(read_texture(scene, scene.textures[0], glm::dvec3(0.5), said).average.y, 0.5, 1e-6);
+  Scene scaled =
+      with_image("Texture \"s\" \"spectrum\" \"scale\" \"texture tex1\" \"t\" \"rgb tex2\" [.5 .5 .5]");
+  EXPECT_NEAR(read_texture(scaled, scaled.textures[1], glm::dvec3(0.5), said).average.y, 0.125, 1e-6);
   scene.textures[0].image = -1;  // not found
   EXPECT_EQ(read_texture(scene, scene.textures[0], glm::dvec3(0.7), said).average.y, 0.7);
 }
