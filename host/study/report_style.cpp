@@ -56,7 +56,7 @@ th:first-child{text-align:right;color:var(--soft);font-weight:600;width:4.5rem}
 .best{font-weight:700;text-decoration:underline;text-underline-offset:3px}
 .better{color:var(--good)}.worse{color:var(--bad)}
 .figure.better::before{content:"▼ ";font-size:.7em}.figure.worse::before{content:"▲ ";font-size:.7em}
-.pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,520px),1fr));gap:0 2rem}
+.pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,720px),1fr));gap:0 2rem}
 .pair th,.pair td{padding:.28rem .45rem}
 .pictures{display:flex;flex-wrap:wrap;gap:1.25rem}
 .overview{flex:1 1 400px;max-width:560px}
