@@ -15,7 +15,6 @@ namespace capcon {
 namespace {
 
 constexpr std::uint64_t kDealStream = 0x656e73656d, kPairStream = kDealStream + 1;
-constexpr std::uint32_t kMostPoints = 1024;  // seconds of work, and 2 MB of cells
 constexpr double kSets = 64;  // wished; more cells are finer, and take longer
 
 struct Grid {
@@ -147,9 +146,9 @@ glm::dvec2 into_domain(EnsembleDomain domain, glm::dvec2 u) {
 
 Ensemble make_ensemble(const EnsembleOptions& options) {
   const std::uint32_t n = options.points;
-  if (n == 0 || n > kMostPoints) {
+  if (n == 0 || n > kMostEnsemblePoints) {
     throw InputError(
-        fmt::format("an ensemble has sets of 1 to {} points, and {} are asked for", kMostPoints, n));
+        fmt::format("an ensemble has sets of 1 to {} points, and {} are asked for", kMostEnsemblePoints, n));
   }
   Ensemble e;
   const Grid grid = choose_grid(n);

@@ -20,6 +20,9 @@ struct Ensemble {
   std::vector<std::uint32_t> cells;
 };
 
+/// More take many seconds and megabytes.
+constexpr std::uint32_t kMostEnsemblePoints = 1024;
+
 struct EnsembleOptions {
   std::uint32_t points = 16;  ///< n >= 1, of a set
   EnsembleDomain domain = EnsembleDomain::disk;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -5,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "base/hash.h"
 #include "layout.h"
 #include "points/ensemble.h"
@@ -125,6 +128,12 @@ class DomainSampler final : public Sampler {
 }  // namespace
 
 std::unique_ptr<Sampler> make_capcon_domain_sampler(std::uint32_t count, std::uint32_t seed) {
+  if (count > kMostEnsemblePoints) {
+    throw InputError(
+        fmt::format("the capcon-domain sampler makes sets of at most {} points, and {} are asked for; take "
+                    "fewer samples, or sobol-owen",
+                    kMostEnsemblePoints, count));
+  }
   return std::make_unique<DomainSampler>(count, seed);
 }
 

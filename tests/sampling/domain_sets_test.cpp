@@ -4,6 +4,7 @@
 #include <functional>
 #include <numbers>
 
+#include "base/error.h"
 #include "base/hash.h"
 #include "points/ensemble.h"
 #include "sampling/disk_turn.h"
@@ -14,6 +15,15 @@ namespace {
 
 glm::dvec2 on_disk(FixedPoint p) {
   return into_domain(EnsembleDomain::disk, to_double(p));
+}
+
+TEST(DomainSets, RefusesMoreThanItCanMakeInWords) {
+  try {
+    make_sampler("capcon-domain", 1025, 1);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("take fewer samples, or sobol-owen"), std::string::npos);
+  }
 }
 
 TEST(DomainSets, TurningIsARotationOfTheDisk) {
