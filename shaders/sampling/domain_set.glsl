@@ -36,9 +36,9 @@ uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint ind
   uvec4 cell = FETCH(sampler_texels, ((disk ? 0u : words.x) + set) * count + index);
   uvec4 random = pcg4d(uvec4(pixel, index, dimension, seed));
   uvec2 p = cell.xy + uvec2(multiply_high(random.x, cell.z), multiply_high(random.y, cell.w));
-  uvec2 turned = turn_in_square(p, keys.x);
+  uvec2 turned = turn_in_square(p, keys.y);
   // The square's eight symmetries: either coordinate from the other side, and the two exchanged.
-  uvec2 flipped = p ^ uvec2((keys.x & 1u) != 0u ? 0xffffffffu : 0u, (keys.x & 2u) != 0u ? 0xffffffffu : 0u);
-  flipped = (keys.x & 4u) != 0u ? flipped.yx : flipped;
+  uvec2 flipped = p ^ uvec2((keys.y & 1u) != 0u ? 0xffffffffu : 0u, (keys.y & 2u) != 0u ? 0xffffffffu : 0u);
+  flipped = (keys.y & 4u) != 0u ? flipped.yx : flipped;
   return disk ? turned : flipped;
 }
