@@ -82,5 +82,20 @@ TEST(Points, FollowsTheBrightPartOfAnImage) {
   EXPECT_EQ(count, 20);
 }
 
+// The energy that the finish lowers is told, and `capcon measure` says the same of the file.
+TEST(Points, TheFinishReportsItsEnergy) {
+  const Folder folder;
+  const auto made = run("points ccvt -n 64 --finish transport -o " + (folder / "p.txt"));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto measured = nlohmann::json::parse(run("measure --json " + (folder / "p.txt")).out);
+  const double energy = measured.at(0).at("energy_ot").get<double>();
+  EXPECT_LT(energy, 1.03);
+  char text[32];
+  std::snprintf(text, sizeof text, "transport energy %.4f", energy);
+  EXPECT_NE(made.err.find(text), std::string::npos) << made.err;
+  const auto json = nlohmann::json::parse(run("points ccvt -n 64 --finish transport --json").out);
+  EXPECT_NEAR(json.at("measures").at("energy_ot").get<double>(), energy, 1e-6);
+}
+
 }  // namespace
 }  // namespace capcon
