@@ -13,7 +13,7 @@ namespace {
 constexpr double kWidth = 560;
 constexpr double kHeight = 420;
 constexpr double kLeft = 64;
-constexpr double kRight = kWidth - 92;  // names stand to the right
+constexpr double kRight = kWidth - 116;  // names stand to the right, with room for the longest
 constexpr double kTop = 14;
 constexpr double kBottom = kHeight - 50;
 constexpr double kNameHeight = 15;
