@@ -31,6 +31,16 @@ CAPCON_CONST kSamplerCcvt = 4u;
 CAPCON_CONST kSamplerCapcon = 5u;
 CAPCON_CONST kSamplerCapconDomain = 6u;
 
+// Domains of an integral's points: SampleDomain of host/sampling/sampler.h.
+CAPCON_CONST kDomainSquare = 0u;
+CAPCON_CONST kDomainDisk = 1u;
+
+// Dimension pairs of the samplers.
+CAPCON_CONST kPairIntegrand = 0u;  // ambient occlusion; direct lighting's BSDF (Y_0)
+CAPCON_CONST kPairImage = 1u;      // the place in the pixel
+CAPCON_CONST kPairComponent = 2u;  // x: which component of a BSDF is sampled
+CAPCON_CONST kPairLights = 3u;     // + j: light j (Y_j)
+
 // Specialisation constants.
 CAPCON_CONST kSpecSampler = 0u;      // a sampler id
 CAPCON_CONST kSpecStackSize = 1u;    // entries of the traversal stack beyond its registers, >= 1
@@ -79,7 +89,7 @@ struct PrimaryConstants {
   vec4 corner;         // direction through film position (0, 0); w: pixels of this batch
   vec4 across;         // change of direction a pixel to the right; w: the band's first pixel
   vec4 down;           // change of direction a pixel downwards; w: 1 if image samples are jittered
-  uvec4 words;         // SamplerTables::constants
+  uvec4 words;         // SamplerTables::constants; z: the stride of `count`
   uint seed;
   uint count;
   uint first_pixel;
@@ -99,6 +109,16 @@ struct OcclusionConstants {
   uint group_stride;  // coprime to the number of groups, both below 2^16: spreads the work over the driver's threads
   uint band;          // the first pixel that surfaces and counts are kept for
   uint pad0, pad1, pad2;
+};
+
+// points.comp: the points of pixels 0 ... pixel_count - 1.
+struct PointConstants {
+  uvec4 words;        // SamplerTables::constants
+  uvec4 split;        // parts, points in a part, and their strides
+  uint seed;
+  uint pixel_count;
+  uint dimension;
+  uint domain;
 };
 
 struct RayConstants {

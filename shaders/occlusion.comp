@@ -31,7 +31,7 @@ void main() {
   uvec4 facing = FETCH(surface_texels, place * 2u + 1u);
   bool live = inside && facing.w != 0u;
 
-  vec2 u = unit_floats(sample_bits(push.words, push.seed, push.count, pixel, index, 0u));
+  vec2 u = unit_floats(sample_bits(push.words, push.seed, push.count, pixel, index, 0u, kDomainDisk));
   Ray ray;
   ray.origin = uintBitsToFloat(at.xyz);
   ray.direction = normalize(to_frame(cosine_hemisphere(u), uintBitsToFloat(facing.xyz)));

@@ -4,7 +4,7 @@
 #include "layout.h"
 
 layout(local_size_x = kGroupSize) in;
-layout(push_constant, std430) uniform Push { OcclusionConstants push; };
+layout(push_constant, std430) uniform Push { PointConstants push; };
 
 #include "fetch.glsl"
 #include "sampling/sampler.glsl"
@@ -13,9 +13,13 @@ layout(set = 0, binding = kBindPoints, std430) writeonly buffer Points { uvec2 p
 
 void main() {
   uint local = gl_GlobalInvocationID.x;
-  uint pixel = local / max(push.count, 1u);  // 0: the warm-up run
+  uint count = max(push.split.x * push.split.y, 1u);  // 0: the warm-up run
+  uint pixel = local / count;
   if (pixel < push.pixel_count) {
-    points[local] =
-        sample_bits(push.words, push.seed, push.count, push.first_pixel + pixel, local - pixel * push.count, push.samples);
+    uint index = local - pixel * count;
+    uint part = index / push.split.y;
+    uint place = shuffled_part(push.seed, push.split, pixel, part, index - part * push.split.y, push.dimension);
+    place = push.dimension == 0u ? index : place;
+    points[local] = sample_bits(push.words, push.seed, count, pixel, place, push.dimension, push.domain);
   }
 }

@@ -67,7 +67,9 @@ void main() {
   bool live = local < pixels;
   vec2 film = vec2(float(pixel % width) + 0.5, float(pixel / width) + 0.5);
   if (kJittered != 0u && floatBitsToUint(push.down.w) != 0u) {
-    film += unit_floats(sample_bits(push.words, push.seed, push.count, pixel, push.sample_index, 1u)) - 0.5;
+    uint place = shuffled(push.seed, push.count, push.words.z, pixel, push.sample_index, kPairImage);
+    uvec2 bits = sample_bits(push.words, push.seed, push.count, pixel, place, kPairImage, kDomainSquare);
+    film += unit_floats(bits) - 0.5;
   }
   Ray ray;
   ray.origin = push.eye.xyz;

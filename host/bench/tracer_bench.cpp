@@ -77,7 +77,7 @@ std::vector<DeviceRay> occlusion_rays(const Geometry& geometry, const std::vecto
         glm::normalize(std::abs(n.x) > 0.5 ? glm::dvec3(n.y, -n.x, 0) : glm::dvec3(0, n.z, -n.y));
     const glm::dvec3 b = glm::cross(n, t);
     for (std::uint32_t i = 0; i < options.samples; ++i) {
-      const FixedPoint u = sampler->sample(pixel, i, 0);
+      const FixedPoint u = sampler->sample(pixel, i, 0, SampleDomain::disk);
       const double r = std::sqrt(to_unit_float(u.x)), phi = 2 * M_PI * to_unit_float(u.y);
       const glm::dvec3 w = r * std::cos(phi) * t + r * std::sin(phi) * b + std::sqrt(1 - r * r) * n;
       rays.push_back({glm::vec3(origin), static_cast<float>(options.radius), glm::vec3(glm::normalize(w)),

@@ -92,7 +92,7 @@ class SamplerSource final : public PointSource {
   Points set(std::uint64_t trial) const override {
     Points points(sampler_->count());
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-      points[i] = to_double(sampler_->sample(static_cast<std::uint32_t>(trial), i, 0));
+      points[i] = to_double(sampler_->sample(static_cast<std::uint32_t>(trial), i, 0, SampleDomain::disk));
     }
     return points;
   }

@@ -82,7 +82,8 @@ struct Reference::State {
       }
       if (!seen) continue;
       ++count.rays;
-      if (visible(*seen, sampler.sample(pixel, i, kOcclusionPair), job.radius)) ++count.visible;
+      if (visible(*seen, sampler.sample(pixel, i, kOcclusionPair, SampleDomain::disk), job.radius))
+        ++count.visible;
     }
     return count;
   }

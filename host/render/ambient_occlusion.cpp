@@ -36,7 +36,10 @@ class Pass {
   RenderResult run() {
     auto start = Clock::now();
     const auto sampler = make_sampler(job_.sampler, job_.samples, job_.seed);
-    tables_ = sampler->tables(job_.position != PixelPosition::jittered);
+    std::vector<SampleDomain> domains = {SampleDomain::disk};
+    if (job_.position == PixelPosition::jittered) domains.push_back(SampleDomain::square);
+    tables_ = sampler->tables(domains);
+    stride_ = sampler->split().point_stride;
     const bool jittered = job_.position == PixelPosition::jittered;
     // All samples of a pixel are added up, so that their order is free; not so where each has a place in the
     // pixel.
@@ -81,6 +84,7 @@ class Pass {
     push.across = with_word(s_.view.across, band_);
     push.down = with_word(s_.view.down, job_.position == PixelPosition::jittered ? 1 : 0);
     push.words = words();
+    push.words.z = stride_;
     push.seed = job_.seed;
     push.count = job_.samples;
     push.sample_index = sample_index;
@@ -149,6 +153,7 @@ class Pass {
   std::uint32_t first_ = 0, pixels_ = 0;      // of the rows asked for
   std::uint32_t band_ = 0, band_pixels_ = 0;  // of those on the device
   SamplerTables tables_;
+  std::uint32_t stride_ = 1;
   gpu::Kernel* primary_ = nullptr;
   gpu::Kernel* occlusion_ = nullptr;
   RenderResult result_;

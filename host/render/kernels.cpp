@@ -54,7 +54,7 @@ const std::map<std::string, Description>& descriptions() {
         k_points_storage_spirv,
         {kBindSampler},
         {kBindPoints},
-        sizeof(OcclusionConstants)}}};
+        sizeof(PointConstants)}}};
   return all;
 }
 

@@ -34,8 +34,8 @@ RenderResult Renderer::render_rows(const AmbientOcclusionJob& job, int first_row
 }
 
 std::vector<FixedPoint> Renderer::sample_points(const Sampler& sampler, std::uint32_t pixels,
-                                                std::uint32_t dimension) {
-  return read_sample_points(*state_, sampler, pixels, dimension);
+                                                std::uint32_t dimension, SampleDomain domain) {
+  return read_sample_points(*state_, sampler, pixels, dimension, domain);
 }
 
 nlohmann::json Renderer::device_info() const {

@@ -35,8 +35,8 @@ class Renderer {
 
   /// The device's own points of `sampler` for pixels 0 ... pixels - 1, `sampler.count()` each: for tests
   /// against the host's.
-  std::vector<FixedPoint> sample_points(const Sampler& sampler, std::uint32_t pixels,
-                                        std::uint32_t dimension);
+  std::vector<FixedPoint> sample_points(const Sampler& sampler, std::uint32_t pixels, std::uint32_t dimension,
+                                        SampleDomain domain = SampleDomain::square);
 
   /// What the tracer's tests and bench work on (render/ray_caster.h).
   RendererState& state() { return *state_; }

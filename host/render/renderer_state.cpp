@@ -123,7 +123,7 @@ void RendererState::upload(const Scene& scene, const Geometry& geometry) {
 void RendererState::compile_for(const AmbientOcclusionJob& job) {
   const bool jittered = job.position == PixelPosition::jittered;
   const auto sampler = make_sampler(job.sampler, job.samples, job.seed);
-  const std::uint32_t id = sampler->tables(!jittered).id;
+  const std::uint32_t id = sampler->tables({}).id;
   kernels.prepare("primary", constants(jittered ? id : layout::kSamplerRandom, jittered, false));
   kernels.prepare("occlusion", constants(id, false, !jittered && !sample_order(*sampler).empty()));
 }

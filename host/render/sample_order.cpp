@@ -30,7 +30,7 @@ std::vector<glm::uvec4> sample_order(const Sampler& sampler) {
       sampler.name() == "sobol-xor" || sampler.name() == "sobol-owen" || sampler.name() == "jittered";
   if (!gains || count < kFewest || count > kMost) return {};
   std::vector<std::uint64_t> keys(count);
-  for (std::uint32_t i = 0; i < count; ++i) keys[i] = morton(sampler.sample(0, i, 0));
+  for (std::uint32_t i = 0; i < count; ++i) keys[i] = morton(sampler.sample(0, i, 0, SampleDomain::disk));
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),

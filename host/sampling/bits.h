@@ -13,8 +13,9 @@ constexpr std::uint32_t reverse_bits(std::uint32_t v) {
   return ((v & 0xaaaaaaaau) >> 1) | ((v & 0x55555555u) << 1);
 }
 
-/// The second Sobol' dimension of `index`, bits reversed (lowest bit first). Its generator matrix is Pascal's triangle
-/// modulo 2: bit j is the sum of the index' bits k with j a subset of k, which five folding steps compute.
+/// The second Sobol' dimension of `index`, bits reversed (lowest bit first). Its generator matrix is Pascal's
+/// triangle modulo 2: bit j is the sum of the index' bits k with j a subset of k, which five folding steps
+/// compute.
 constexpr std::uint32_t sobol_second_reversed(std::uint32_t index) {
   index ^= (index >> 1) & 0x55555555u;
   index ^= (index >> 2) & 0x33333333u;
@@ -23,8 +24,8 @@ constexpr std::uint32_t sobol_second_reversed(std::uint32_t index) {
   return index ^ ((index >> 16) & 0x0000ffffu);
 }
 
-/// Owen (nested uniform) scrambling of a word given lowest bit first: a bit is flipped by a hash of the bits below it.
-/// Laine and Karras 2011 in the form of Burley, JCGT 9(4), 2020; constants by N. Vegdahl, 2021.
+/// Owen (nested uniform) scrambling of a word given lowest bit first: a bit is flipped by a hash of the bits
+/// below it. Laine and Karras 2011 in the form of Burley, JCGT 9(4), 2020; constants by N. Vegdahl, 2021.
 constexpr std::uint32_t owen_scramble_reversed(std::uint32_t v, std::uint32_t key) {
   v ^= v * 0x3d20adeau;
   v += key;
@@ -34,13 +35,22 @@ constexpr std::uint32_t owen_scramble_reversed(std::uint32_t v, std::uint32_t ke
   return v;
 }
 
-/// A permutation of [0, count) keyed by `key`: aligned blocks of powers of two stay together (nested uniform) where count
-/// is a power of two; else a rotation of a golden-ratio stride, `stride` coprime to count.
-constexpr std::uint32_t shuffle_index(std::uint32_t index, std::uint32_t count, std::uint32_t stride, std::uint32_t key) {
+/// A permutation of [0, count) keyed by `key`: aligned blocks of powers of two stay together (nested uniform)
+/// where count is a power of two; else a rotation of a golden-ratio stride, `stride` coprime to count.
+constexpr std::uint32_t shuffle_index(std::uint32_t index, std::uint32_t count, std::uint32_t stride,
+                                      std::uint32_t key) {
   if ((count & (count - 1)) == 0) {
     return reverse_bits(owen_scramble_reversed(reverse_bits(index), key)) & (count - 1);
   }
   return static_cast<std::uint32_t>((static_cast<std::uint64_t>(index) * stride + key % count) % count);
+}
+
+/// shuffle_index of the parts, and within each part with a key of its own.
+template <class Split>
+constexpr std::uint32_t shuffle_split(std::uint32_t index, const Split& split, std::uint32_t key) {
+  const std::uint32_t part = index / split.points;
+  return shuffle_index(part, split.parts, split.part_stride, key) * split.points +
+         shuffle_index(index % split.points, split.points, split.point_stride, key + part * 0x9e3779b9u);
 }
 
 /// A stride for shuffle_index: coprime to count, near count / golden ratio.

@@ -45,11 +45,10 @@ Cut choose_cut(std::uint32_t n, std::uint32_t tile_points) {
 
 class CornerTileSampler final : public Sampler {
  public:
-  CornerTileSampler(const TileSet& set, std::uint32_t count, std::uint32_t seed)
-      : Sampler("capcon", count, seed),
+  CornerTileSampler(const TileSet& set, std::uint32_t count, std::uint32_t seed, std::uint32_t parts)
+      : Sampler("capcon", count, seed, parts),
         cut_(choose_cut(count, set.points_per_tile)),
-        tiling_(cut_.a, cut_.b),
-        stride_(coprime_stride(count)) {
+        tiling_(cut_.a, cut_.b) {
     const std::uint32_t stored = cut_.ranks + (cut_.extra > 0 ? 1 : 0);
     for (const auto& tile : set.tiles) {
       for (std::uint32_t r = 0; r < stored; ++r) places_.push_back(tiling_.place(tile[r].position));
@@ -63,9 +62,9 @@ class CornerTileSampler final : public Sampler {
     }
   }
 
-  FixedPoint sample(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const override {
+  FixedPoint point(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension,
+                   SampleDomain) const override {
     const auto words = set_words(seed(), pixel, dimension);
-    if (dimension > 0) index = shuffle_index(index, count(), stride_, words[2]);
     const std::uint32_t longer = cut_.extra * (cut_.ranks + 1);
     const bool in_longer = index < longer;
     const std::uint32_t from = in_longer ? index : index - longer;
@@ -82,8 +81,8 @@ class CornerTileSampler final : public Sampler {
 
   /// Texels: first the cells (origin x, y; corners 0 and 1, corners 2 and 3 as 16-bit pairs), then the tiles'
   /// points.
-  SamplerTables tables(bool) const override {
-    SamplerTables result{layout::kSamplerCapcon, {tiling_.size(), cut_.ranks, stride_, cut_.extra}, {}};
+  SamplerTables tables(const std::vector<SampleDomain>&) const override {
+    SamplerTables result{layout::kSamplerCapcon, {tiling_.size(), cut_.ranks, 0, cut_.extra}, {}};
     for (const std::uint32_t cell : cells_) {
       const FixedPoint origin = tiling_.origin(cell);
       const auto c = tiling_.corners(cell);
@@ -101,14 +100,13 @@ class CornerTileSampler final : public Sampler {
 
   Cut cut_;
   GaussianTiling tiling_;
-  std::uint32_t stride_;
   std::vector<std::uint32_t> cells_;
   std::vector<FixedPoint> places_;
 };
 
 }  // namespace
 
-std::unique_ptr<Sampler> make_capcon_sampler(std::uint32_t count, std::uint32_t seed) {
+std::unique_ptr<Sampler> make_capcon_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts) {
   // The table holds lattice vertices as 16-bit numbers: 65,536 tiles of 16 points at the most.
   constexpr std::uint32_t kMostPoints = 1u << 20;
   if (count > kMostPoints) {
@@ -117,7 +115,7 @@ std::unique_ptr<Sampler> make_capcon_sampler(std::uint32_t count, std::uint32_t 
         "sobol-owen",
         kMostPoints, count));
   }
-  return std::make_unique<CornerTileSampler>(shipped_tile_set(2, 16), count, seed);
+  return std::make_unique<CornerTileSampler>(shipped_tile_set(2, 16), count, seed, parts);
 }
 
 }  // namespace capcon

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -80,16 +81,14 @@ std::shared_ptr<const Sets> known_sets(std::uint32_t count, EnsembleDomain domai
 
 class DomainSampler final : public Sampler {
  public:
-  DomainSampler(std::uint32_t count, std::uint32_t seed)
-      : Sampler("capcon-domain", count, seed),
-        disk_(known_sets(count, EnsembleDomain::disk)),
-        stride_(coprime_stride(count)) {}
+  DomainSampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts)
+      : Sampler("capcon-domain", count, seed, parts) {}
 
-  FixedPoint sample(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const override {
+  FixedPoint point(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension,
+                   SampleDomain domain) const override {
     const auto keys = set_words(seed(), pixel, dimension);
-    const bool disk = dimension == 0;
-    if (!disk) index = shuffle_index(index, count(), stride_, keys[2]);
-    const Sets& sets = disk ? *disk_ : square();
+    const bool disk = domain == SampleDomain::disk;
+    const Sets& sets = sets_in(domain);
     const Cell& cell = sets.cells[std::size_t(multiply_high(keys[3], sets.sets)) * count() + index];
     const auto random = pcg4d(pixel, index, dimension, seed());
     const FixedPoint p{cell.x + multiply_high(random[0], cell.width),
@@ -102,12 +101,13 @@ class DomainSampler final : public Sampler {
     return q;
   }
 
-  SamplerTables tables(bool first_only) const override {
-    SamplerTables result{layout::kSamplerCapconDomain, {disk_->sets, 0, stride_, 0}, {}};
-    append(*disk_, result);
-    if (first_only) return result;
-    result.constants[1] = square().sets;
-    append(square(), result);
+  SamplerTables tables(const std::vector<SampleDomain>& domains) const override {
+    SamplerTables result{layout::kSamplerCapconDomain, {}, {}};
+    for (const SampleDomain d : {SampleDomain::disk, SampleDomain::square}) {
+      if (std::find(domains.begin(), domains.end(), d) == domains.end()) continue;
+      result.constants[d == SampleDomain::disk ? 0 : 1] = sets_in(d).sets;
+      append(sets_in(d), result);
+    }
     return result;
   }
 
@@ -115,28 +115,31 @@ class DomainSampler final : public Sampler {
   static void append(const Sets& sets, SamplerTables& result) {
     for (const Cell& c : sets.cells) result.texels.emplace_back(c.x, c.y, c.width, c.height);
   }
-  /// Made when a dimension pair beyond the first is asked for.
-  const Sets& square() const {
-    std::call_once(square_once_, [&] { square_ = known_sets(count(), EnsembleDomain::square); });
-    return *square_;
+  /// Made when points in that domain are first asked for.
+  const Sets& sets_in(SampleDomain domain) const {
+    const auto d = static_cast<std::size_t>(domain);
+    std::call_once(once_[d], [&] {
+      sets_[d] =
+          known_sets(count(), domain == SampleDomain::disk ? EnsembleDomain::disk : EnsembleDomain::square);
+    });
+    return *sets_[d];
   }
 
-  std::shared_ptr<const Sets> disk_;
-  mutable std::once_flag square_once_;
-  mutable std::shared_ptr<const Sets> square_;
-  std::uint32_t stride_;
+  mutable std::array<std::once_flag, 2> once_;
+  mutable std::array<std::shared_ptr<const Sets>, 2> sets_;
 };
 
 }  // namespace
 
-std::unique_ptr<Sampler> make_capcon_domain_sampler(std::uint32_t count, std::uint32_t seed) {
+std::unique_ptr<Sampler> make_capcon_domain_sampler(std::uint32_t count, std::uint32_t seed,
+                                                    std::uint32_t parts) {
   if (count > kMostEnsemblePoints) {
     throw InputError(
         fmt::format("the capcon-domain sampler makes sets of at most {} points, and {} are asked for; take "
                     "fewer samples, or sobol-owen",
                     kMostEnsemblePoints, count));
   }
-  return std::make_unique<DomainSampler>(count, seed);
+  return std::make_unique<DomainSampler>(count, seed, parts);
 }
 
 }  // namespace capcon

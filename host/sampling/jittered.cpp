@@ -2,8 +2,6 @@
 
 #include "base/hash.h"
 #include "layout.h"
-#include "sampling/address.h"
-#include "sampling/bits.h"
 #include "sampling/samplers.h"
 
 namespace capcon {
@@ -23,26 +21,27 @@ std::uint32_t in_stratum(std::uint32_t cell, std::uint32_t cells, std::uint32_t 
 
 class JitteredSampler final : public Sampler {
  public:
-  JitteredSampler(std::uint32_t count, std::uint32_t seed)
-      : Sampler("jittered", count, seed), rows_(rows_of(count)), columns_(count / rows_), stride_(coprime_stride(count)) {}
+  JitteredSampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts)
+      : Sampler("jittered", count, seed, parts), rows_(rows_of(count)), columns_(count / rows_) {}
 
-  FixedPoint sample(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const override {
+  FixedPoint point(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension,
+                   SampleDomain) const override {
     const auto words = pcg4d(pixel, index, dimension, seed());
-    std::uint32_t cell = index;
-    if (dimension > 0) cell = shuffle_index(index, count(), stride_, set_words(seed(), pixel, dimension)[2]);
-    return {in_stratum(cell % columns_, columns_, words[0]), in_stratum(cell / columns_, rows_, words[1])};
+    return {in_stratum(index % columns_, columns_, words[0]), in_stratum(index / columns_, rows_, words[1])};
   }
 
-  SamplerTables tables(bool) const override { return {layout::kSamplerJittered, {columns_, rows_, stride_, 0}, {}}; }
+  SamplerTables tables(const std::vector<SampleDomain>&) const override {
+    return {layout::kSamplerJittered, {columns_, rows_, 0, 0}, {}};
+  }
 
  private:
-  std::uint32_t rows_, columns_, stride_;
+  std::uint32_t rows_, columns_;
 };
 
 }  // namespace
 
-std::unique_ptr<Sampler> make_jittered_sampler(std::uint32_t count, std::uint32_t seed) {
-  return std::make_unique<JitteredSampler>(count, seed);
+std::unique_ptr<Sampler> make_jittered_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts) {
+  return std::make_unique<JitteredSampler>(count, seed, parts);
 }
 
 }  // namespace capcon

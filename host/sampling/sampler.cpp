@@ -9,19 +9,25 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "sampling/address.h"
 #include "sampling/bits.h"
 #include "sampling/samplers.h"
 
 namespace capcon {
 
 namespace {
-using Maker = std::unique_ptr<Sampler> (*)(std::uint32_t, std::uint32_t);
+using Maker = std::unique_ptr<Sampler> (*)(std::uint32_t, std::uint32_t, std::uint32_t);
 
 // The one place to name a new sampler; its id is in shaders/layout.h.
 const std::vector<std::pair<std::string, Maker>>& makers() {
   static const std::vector<std::pair<std::string, Maker>> all = {
-      {"random", make_random_sampler},       {"jittered", make_jittered_sampler}, {"sobol-xor", make_sobol_xor_sampler},
-      {"sobol-owen", make_sobol_owen_sampler}, {"ccvt", make_ccvt_sampler},         {"capcon", make_capcon_sampler}, {"capcon-domain", make_capcon_domain_sampler}};
+      {"random", make_random_sampler},
+      {"jittered", make_jittered_sampler},
+      {"sobol-xor", make_sobol_xor_sampler},
+      {"sobol-owen", make_sobol_owen_sampler},
+      {"ccvt", make_ccvt_sampler},
+      {"capcon", make_capcon_sampler},
+      {"capcon-domain", make_capcon_domain_sampler}};
   return all;
 }
 }  // namespace
@@ -41,12 +47,25 @@ const std::vector<std::string>& sampler_names() {
   return names;
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count, std::uint32_t seed) {
+Sampler::Sampler(std::string name, std::uint32_t count, std::uint32_t seed, std::uint32_t parts)
+    : name_(std::move(name)),
+      split_{parts, count / parts, coprime_stride(parts), coprime_stride(count / parts)},
+      seed_(seed) {}
+
+std::uint32_t Sampler::shuffled(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const {
+  return shuffle_split(index, split_, set_words(seed_, pixel, dimension)[2]);
+}
+
+std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count, std::uint32_t seed,
+                                      std::uint32_t parts) {
   if (count == 0) throw InputError("the number of samples must be at least 1");
+  if (parts == 0 || count % parts != 0)
+    throw InputError(fmt::format("{} points cannot be cut into {} equal parts", count, parts));
   for (const auto& [known, maker] : makers()) {
-    if (known == name) return maker(count, seed);
+    if (known == name) return maker(count, seed, parts);
   }
-  throw InputError(fmt::format("there is no sampler \"{}\"; choose one of: {}", name, fmt::join(sampler_names(), " ")));
+  throw InputError(
+      fmt::format("there is no sampler \"{}\"; choose one of: {}", name, fmt::join(sampler_names(), " ")));
 }
 
 }  // namespace capcon

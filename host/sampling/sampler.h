@@ -12,48 +12,80 @@
 
 namespace capcon {
 
-/// What a sampler's shader side needs: an id (shaders/layout.h, kSampler...), four words of constants and one table of
-/// 16-byte texels. Empty where the sampler needs none.
+/// What a sampler's shader side needs: an id (shaders/layout.h, kSampler...), four words of constants (the
+/// third is free) and one table of 16-byte texels. Empty where the sampler needs none.
 struct SamplerTables {
   std::uint32_t id = 0;
   std::array<std::uint32_t, 4> constants{};
   std::vector<glm::uvec4> texels;
 };
 
-/// 2D points for every (pixel, dimension pair): one set of `count` points a pair, decorrelated between pixels and
-/// dimension pairs in the way that keeps the set's properties (rotation on the torus for tiles and CCVT sets; nets get
-/// their own scrambling). The value of a point is addressed by (seed, pixel, index, dimension), never by call order.
-/// Each sampler is one file here and one in shaders/sampling/; tests hold both to the same bits.
+/// The domain that an integral's points are mapped to by areas in proportion. Only samplers that live in one
+/// (capcon-domain) tell them apart; the numbers are those of shaders/layout.h, kDomain...
+enum class SampleDomain : std::uint32_t {
+  square = 0,  ///< rectangles, triangles, environment maps, places in a pixel
+  disk = 1     ///< by the concentric map: the cosine hemisphere, disk lights, cones of directions
+};
+
+/// How a pixel's points are shared out (trajectory splitting): `parts` sets of `points`, each well spread,
+/// and so is their union. Points p * points ... (p + 1) * points - 1 are part p.
+struct Split {
+  std::uint32_t parts = 1;
+  std::uint32_t points = 1;
+  std::uint32_t part_stride = 1;   ///< coprime to parts, for the order of parts
+  std::uint32_t point_stride = 1;  ///< coprime to points, for the order within a part
+};
+
+/// 2D points for every (pixel, dimension pair): one set of `count` points a pair, decorrelated between pixels
+/// and dimension pairs in the way that keeps the set's properties (rotation on the torus for tiles and CCVT
+/// sets; nets get their own scrambling). The value of a point is addressed by (seed, pixel, index,
+/// dimension), never by call order. Each sampler is one file here and one in shaders/sampling/; tests hold
+/// both to the same bits.
 class Sampler {
  public:
   virtual ~Sampler() = default;
-  /// Point `index` (0 <= index < count) of the set of dimension pair `dimension` of `pixel`.
-  virtual FixedPoint sample(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const = 0;
-  /// `first_only`: only dimension pair 0 will be asked for, which some samplers need less for.
-  virtual SamplerTables tables(bool first_only) const = 0;
-  SamplerTables tables() const { return tables(false); }
+  /// Point `index` (0 <= index < count) of the set of dimension pair `dimension` of `pixel`. Parts and the
+  /// points within each come in an order of their own in every pair but pair 0, so that pairs are not
+  /// correlated.
+  FixedPoint sample(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension,
+                    SampleDomain domain = SampleDomain::square) const {
+    return point(pixel, dimension == 0 ? index : shuffled(pixel, index, dimension), dimension, domain);
+  }
+  /// `domains`: those that points will be asked for in, which capcon-domain needs tables for.
+  virtual SamplerTables tables(const std::vector<SampleDomain>& domains) const = 0;
+  SamplerTables tables() const { return tables({SampleDomain::square, SampleDomain::disk}); }
 
   const std::string& name() const { return name_; }
-  std::uint32_t count() const { return count_; }
+  std::uint32_t count() const { return split_.parts * split_.points; }
+  const Split& split() const { return split_; }
   std::uint32_t seed() const { return seed_; }
 
  protected:
-  Sampler(std::string name, std::uint32_t count, std::uint32_t seed)
-      : name_(std::move(name)), count_(count), seed_(seed) {}
+  /// `parts` divides `count`.
+  Sampler(std::string name, std::uint32_t count, std::uint32_t seed, std::uint32_t parts = 1);
+  /// The point at place `index` of the set's own order.
+  virtual FixedPoint point(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension,
+                           SampleDomain domain) const = 0;
 
  private:
+  std::uint32_t shuffled(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const;
+
   std::string name_;
-  std::uint32_t count_;
+  Split split_;
   std::uint32_t seed_;
 };
 
 /// Names that make_sampler knows: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain.
 const std::vector<std::string>& sampler_names();
 
-/// A sampler for sets of `count` points. Point generation (ccvt) happens here. InputError for an unknown name.
-std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count, std::uint32_t seed);
+/// A sampler for sets of `count` points in `parts` parts of the same size. Point generation (ccvt) happens
+/// here. InputError for an unknown name, and where parts do not divide count.
+std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count, std::uint32_t seed,
+                                      std::uint32_t parts = 1);
 
 /// The float that both sides make of a coordinate: its upper 24 bits / 2^24, in [0, 1).
-inline float to_unit_float(std::uint32_t v) { return static_cast<float>(v >> 8) * 0x1p-24f; }
+inline float to_unit_float(std::uint32_t v) {
+  return static_cast<float>(v >> 8) * 0x1p-24f;
+}
 
 }  // namespace capcon

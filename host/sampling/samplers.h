@@ -6,23 +6,26 @@
 
 namespace capcon {
 
-// One maker a sampler: (count of points a set, seed).
+// One maker a sampler: (count of points a set, seed, parts of a set).
 
 /// Independent uniform points.
-std::unique_ptr<Sampler> make_random_sampler(std::uint32_t count, std::uint32_t seed);
+std::unique_ptr<Sampler> make_random_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 /// One random point in each of a x b equal strata, a b = count, as square as count's divisors allow.
-std::unique_ptr<Sampler> make_jittered_sampler(std::uint32_t count, std::uint32_t seed);
+std::unique_ptr<Sampler> make_jittered_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 /// The Sobol' (0,2)-sequence under random digit (XOR) scrambling: the text's baseline.
-std::unique_ptr<Sampler> make_sobol_xor_sampler(std::uint32_t count, std::uint32_t seed);
+std::unique_ptr<Sampler> make_sobol_xor_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 /// The same sequence under hashed Owen scrambling: today's baseline.
-std::unique_ptr<Sampler> make_sobol_owen_sampler(std::uint32_t count, std::uint32_t seed);
+std::unique_ptr<Sampler> make_sobol_owen_sampler(std::uint32_t count, std::uint32_t seed,
+                                                 std::uint32_t parts);
 /// One untiled capacity-constrained set of `count` points, with a Cranley-Patterson rotation a set.
-std::unique_ptr<Sampler> make_ccvt_sampler(std::uint32_t count, std::uint32_t seed);
+std::unique_ptr<Sampler> make_ccvt_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 /// The shipped corner tiles: a stochastic toroidal tiling and a rotation a set.
-std::unique_ptr<Sampler> make_capcon_sampler(std::uint32_t count, std::uint32_t seed);
+std::unique_ptr<Sampler> make_capcon_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 
-/// Sets of an ensemble in the integral's own domain, without a seam: the disk for dimension pair 0, the square for others; one
-/// of its sets and the domain's own symmetry (rotation, or flips) by hash, a random point in every cell. Unbiased.
-std::unique_ptr<Sampler> make_capcon_domain_sampler(std::uint32_t count, std::uint32_t seed);
+/// Sets of an ensemble in the integral's own domain, without a seam: the disk for dimension pair 0, the
+/// square for others; one of its sets and the domain's own symmetry (rotation, or flips) by hash, a random
+/// point in every cell. Unbiased.
+std::unique_ptr<Sampler> make_capcon_domain_sampler(std::uint32_t count, std::uint32_t seed,
+                                                    std::uint32_t parts);
 
 }  // namespace capcon

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <variant>
 
 #include "image/image.h"
 
@@ -27,6 +28,39 @@ struct AmbientOcclusionJob {
   PixelPosition position = PixelPosition::centre;
 };
 
+/// How a pixel weighs what lies around its centre; image samples are placed in proportion (no weights, no sharing).
+enum class PixelFilter : std::uint8_t {
+  box,      ///< the pixel's own square
+  gaussian  ///< pbrt-v4's: exp(-x^2 / (2 0.5^2)) less its value at 1.5, a radius of 1.5 pixels, in x and y
+};
+
+/// How light and BSDF samples are combined (Veach and Guibas, "Optimally Combining Sampling Techniques", 1995).
+enum class Strategy : std::uint8_t {
+  power,    ///< p^2 / (p^2 + q^2)
+  balance,  ///< p / (p + q)
+  lights,   ///< light samples alone
+  bsdf      ///< BSDF samples alone: point and distant lights give nothing
+};
+
+/// One direct-lighting render, a plain value: what a surface emits and reflects of the light that comes straight from
+/// the lights. Each image sample has `integrator_samples` points on every light and as many for the BSDF.
+struct DirectLightingJob {
+  std::string sampler = "capcon";
+  std::uint32_t image_samples = 1;        ///< P >= 1
+  std::uint32_t integrator_samples = 16;  ///< I >= 1
+  std::uint32_t seed = 1;
+  PixelPosition position = PixelPosition::centre;  ///< of image samples; `jittered`: by the filter
+  PixelFilter filter = PixelFilter::box;
+  Strategy strategy = Strategy::power;
+  /// Whether the P sets of a pixel are parts of one set of P I points; else each is a set of its own.
+  bool partition = true;
+
+  std::uint32_t samples() const { return image_samples * integrator_samples; }
+};
+
+/// Any render.
+using Job = std::variant<AmbientOcclusionJob, DirectLightingJob>;
+
 /// Seconds by stage (read build upload compile points primary occlusion resolve write ...): wall time, and on a Vulkan
 /// device the time between its own timestamps.
 struct Timings {
@@ -38,9 +72,10 @@ nlohmann::json to_json(const Timings& timings);
 
 /// What a render hands back.
 struct RenderResult {
-  Image image;  ///< one channel: ambient occlusion in [0, 1]; 0 where no surface is seen
+  /// Ambient occlusion: one channel in [0, 1], 0 where no surface is seen. Direct lighting: radiance, linear sRGB.
+  Image image;
   Timings timings;
-  std::uint64_t rays = 0;  ///< occlusion rays traced
+  std::uint64_t rays = 0;  ///< occlusion or shadow rays traced
   std::string device;      ///< the device's own name, or "reference"
   /// When the first kernel that traces was handed to the device; the clock's zero where there is none.
   std::chrono::steady_clock::time_point first_dispatch{};

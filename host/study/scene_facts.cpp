@@ -104,7 +104,7 @@ std::uint64_t points_fingerprint() {
       const auto sampler = make_sampler(name, count, 1);
       for (std::uint32_t pixel = 0; pixel < 64; ++pixel) {
         for (std::uint32_t i = 0; i < count; ++i) {
-          const FixedPoint p = sampler->sample(pixel, i, 0);
+          const FixedPoint p = sampler->sample(pixel, i, 0, SampleDomain::disk);
           hash.add(p.x);
           hash.add(p.y);
         }

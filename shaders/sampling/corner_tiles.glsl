@@ -1,4 +1,4 @@
-// A stochastic toroidal tiling of corner tiles, shifted on the torus. words: tiles, ranks, stride, extra.
+// A stochastic toroidal tiling of corner tiles, shifted on the torus. words: tiles, ranks, -, extra.
 // Table: cells (origin, corner vertices as 16-bit pairs), then the points of the 16 tiles, turned and scaled.
 
 uint corner_colour(uint seed, uint pixel, uint dimension, uint vertex) {
@@ -10,7 +10,6 @@ uint corner_colour(uint seed, uint pixel, uint dimension, uint vertex) {
 
 uvec2 sample_corner_tiles(uvec4 words, uint seed, uint count, uint pixel, uint index, uint dimension) {
   uvec4 keys = set_words(seed, pixel, dimension, kPurposeSet);
-  if (dimension > 0u) index = shuffle_index(index, count, words.z, keys.z);
   uint longer = words.w * (words.y + 1u);
   bool in_longer = index < longer;
   uint from = in_longer ? index : index - longer;

@@ -1,5 +1,5 @@
-// Sets of an ensemble in the integral's own domain (host/sampling/domain_sets.cpp). words: sets of the disk, sets of the square,
-// stride; table: a cell a texel, its low corner and its size, first all sets of the disk, then those of the square.
+// Sets of an ensemble in the integral's own domain (host/sampling/domain_sets.cpp). words: sets of the disk, sets of the square
+// (0: no table of that domain); table: a cell a texel, its low corner and its size, first all sets of the disk, then those of the square.
 
 // floor(a * b / 2^32)
 uint multiply_high(uint a, uint b) {
@@ -28,10 +28,10 @@ uvec2 turn_in_square(uvec2 p, uint turn) {
   return uvec2(uint(min(u, 0x7ffffff) << 4) ^ 0x80000000u, uint(min(v, 0x7ffffff) << 4) ^ 0x80000000u);
 }
 
-uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint index, uint dimension) {
+uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint index, uint dimension,
+                        uint domain) {
   uvec4 keys = set_words(seed, pixel, dimension, kPurposeSet);
-  bool disk = dimension == 0u;
-  if (!disk) index = shuffle_index(index, count, words.z, keys.z);
+  bool disk = domain == kDomainDisk;
   uint set = multiply_high(keys.w, disk ? words.x : words.y);
   uvec4 cell = FETCH(sampler_texels, ((disk ? 0u : words.x) + set) * count + index);
   uvec4 random = pcg4d(uvec4(pixel, index, dimension, seed));

@@ -1,4 +1,4 @@
-// One random point in each of columns x rows strata. words: columns, rows, stride.
+// One random point in each of columns x rows strata. words: columns, rows.
 
 // floor((cell + word / 2^32) / cells * 2^32), by long division in 32 bits: quotient digit by digit.
 uint in_stratum(uint cell, uint cells, uint word) {
@@ -21,10 +21,8 @@ uint in_stratum_power(uint cell, uint cells, uint word) {
 
 uvec2 sample_jittered(uvec4 words, uint seed, uint count, uint pixel, uint index, uint dimension) {
   uvec4 random = pcg4d(uvec4(pixel, index, dimension, seed));
-  uint cell = index;
-  if (dimension > 0u) cell = shuffle_index(index, count, words.z, set_words(seed, pixel, dimension, kPurposeSet).z);
-  uint column = cell % words.x;
-  uint row = cell / words.x;
+  uint column = index % words.x;
+  uint row = index / words.x;
   if ((count & (count - 1u)) == 0u) {
     return uvec2(in_stratum_power(column, words.x, random.x), in_stratum_power(row, words.y, random.y));
   }

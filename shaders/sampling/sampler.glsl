@@ -11,14 +11,26 @@ DATA_TEXELS(kBindSampler, sampler_texels);
 #include "sampling/corner_tiles.glsl"
 #include "sampling/domain_set.glsl"
 
-// Point `index` of the set of `count` points of (pixel, dimension pair): 0.32 fixed point.
-uvec2 sample_bits(uvec4 words, uint seed, uint count, uint pixel, uint index, uint dimension) {
+// The place in a set's own order of its point `index`, in any dimension pair but 0.
+uint shuffled(uint seed, uint count, uint stride, uint pixel, uint index, uint dimension) {
+  return shuffle_index(index, count, stride, set_words(seed, pixel, dimension, kPurposeSet).z);
+}
+
+// The same for point `index` of part `part`; split: parts, points in a part, and their strides.
+uint shuffled_part(uint seed, uvec4 split, uint pixel, uint part, uint index, uint dimension) {
+  uint key = set_words(seed, pixel, dimension, kPurposeSet).z;
+  return shuffle_index(part, split.x, split.z, key) * split.y +
+         shuffle_index(index, split.y, split.w, key + part * 0x9e3779b9u);
+}
+
+// The point at place `index` of the set of `count` points of (pixel, dimension pair): 0.32 fixed point.
+uvec2 sample_bits(uvec4 words, uint seed, uint count, uint pixel, uint index, uint dimension, uint domain) {
   if (kSampler == kSamplerJittered) return sample_jittered(words, seed, count, pixel, index, dimension);
   if (kSampler == kSamplerSobolXor) return sample_sobol(false, words, seed, count, pixel, index, dimension);
   if (kSampler == kSamplerSobolOwen) return sample_sobol(true, words, seed, count, pixel, index, dimension);
   if (kSampler == kSamplerCcvt) return sample_rotated_set(words, seed, count, pixel, index, dimension);
   if (kSampler == kSamplerCapcon) return sample_corner_tiles(words, seed, count, pixel, index, dimension);
-  if (kSampler == kSamplerCapconDomain) return sample_domain_set(words, seed, count, pixel, index, dimension);
+  if (kSampler == kSamplerCapconDomain) return sample_domain_set(words, seed, count, pixel, index, dimension, domain);
   return sample_random(seed, pixel, index, dimension);
 }
 

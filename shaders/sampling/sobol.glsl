@@ -1,7 +1,6 @@
-// The Sobol' (0,2)-sequence, digit-scrambled (XOR) or Owen-scrambled. words.z: stride.
+// The Sobol' (0,2)-sequence, digit-scrambled (XOR) or Owen-scrambled.
 uvec2 sample_sobol(bool owen, uvec4 words, uint seed, uint count, uint pixel, uint index, uint dimension) {
   uvec4 keys = set_words(seed, pixel, dimension, kPurposeSet);
-  if (dimension > 0u) index = shuffle_index(index, count, words.z, keys.z);
   uint second = sobol_second_reversed(index);
   if (owen) {
     return bitfieldReverse(uvec2(owen_scramble_reversed(index, keys.x), owen_scramble_reversed(second, keys.y)));

@@ -62,7 +62,7 @@ int main(int count, char** words) {
         std::fill(estimate.begin(), estimate.end(), 0.0);
         for (std::uint32_t i = 0; i < n; ++i) {
           const glm::dvec2 p = into_domain(
-              EnsembleDomain::disk, to_double(sampler->sample(static_cast<std::uint32_t>(pixel), i, 0)));
+              EnsembleDomain::disk, to_double(sampler->sample(static_cast<std::uint32_t>(pixel), i, 0, SampleDomain::disk)));
           for (std::size_t k = 0; k < estimate.size(); ++k) estimate[k] += integrands()[k].f(p);
         }
         for (std::size_t k = 0; k < estimate.size(); ++k) {

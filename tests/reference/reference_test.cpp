@@ -49,7 +49,7 @@ TEST(Reference, TheSampleAddressesAreAsAgreed) {
       for (std::uint32_t x = 0; x < 5; ++x) {
         int visible = 0;
         for (std::uint32_t i = 0; i < job.samples; ++i) {
-          const FixedPoint p = sampler->sample(y * 5 + x, i, 0);
+          const FixedPoint p = sampler->sample(y * 5 + x, i, 0, SampleDomain::disk);
           visible += at_x ? p.x < 0x80000000u : p.y >= 0x80000000u;
         }
         EXPECT_EQ(image.at(int(x), int(y), 0), float(visible / 16.0)) << at_x << " " << x << " " << y;

@@ -23,7 +23,7 @@ TEST(SampleOrder, NeighboursShareACellInEveryPixel) {
       for (std::uint32_t group = 0; group < 8; ++group) {
         std::set<std::pair<std::uint32_t, std::uint32_t>> cells;
         for (std::uint32_t lane = 0; lane < 8; ++lane) {
-          const FixedPoint p = sampler->sample(pixel, order[8 * group + lane].x, 0);
+          const FixedPoint p = sampler->sample(pixel, order[8 * group + lane].x, 0, SampleDomain::disk);
           cells.emplace(p.x >> 31, p.y >> 30);
         }
         EXPECT_EQ(cells.size(), 1u) << name << " pixel " << pixel << " group " << group;

@@ -51,7 +51,7 @@ double mse(const char* sampler, std::uint32_t count, std::uint32_t dimension,
   for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
     double estimate = 0;
     for (std::uint32_t i = 0; i < count; ++i)
-      estimate += f(points->sample(pixel, i, dimension), pixel) / count;
+      estimate += f(points->sample(pixel, i, dimension, dimension == 0 ? SampleDomain::disk : SampleDomain::square), pixel) / count;
     sum += (estimate - integral(pixel)) * (estimate - integral(pixel));
   }
   return sum / kPixels;
