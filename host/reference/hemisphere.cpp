@@ -22,13 +22,16 @@ glm::dvec3 cosine_hemisphere(double u, double v) {
   return {d.x, d.y, std::sqrt(std::max(0.0, 1 - d.x * d.x - d.y * d.y))};
 }
 
-glm::dvec3 around_normal(const glm::dvec3& n, const glm::dvec3& local) {
+Frame::Frame(const glm::dvec3& n) : normal(n) {
   const double s = n.z >= 0 ? 1 : -1;
   const double a = -1 / (s + n.z);
   const double b = n.x * n.y * a;
-  const glm::dvec3 tangent(1 + s * n.x * n.x * a, s * b, -s * n.x);
-  const glm::dvec3 bitangent(b, s + n.y * n.y * a, -n.y);
-  return local.x * tangent + local.y * bitangent + local.z * n;
+  tangent = {1 + s * n.x * n.x * a, s * b, -s * n.x};
+  bitangent = {b, s + n.y * n.y * a, -n.y};
+}
+
+glm::dvec3 around_normal(const glm::dvec3& n, const glm::dvec3& local) {
+  return Frame(n).to_world(local);
 }
 
 }  // namespace capcon::reference

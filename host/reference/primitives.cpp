@@ -1,5 +1,6 @@
 #include "reference/primitives.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -49,26 +50,30 @@ void Box::grow(const Box& other) {
 }
 
 Primitives::Primitives(const Scene& scene) {
-  for (const Shape& shape : scene.shapes) add(scene, shape, shape.to_world);
+  for (const Shape& shape : scene.shapes) add(scene, shape, nullptr);
   for (const Instance& instance : scene.instances) {
-    for (const Shape& shape : scene.objects.at(instance.object).shapes) {
-      add(scene, shape, instance.to_world * shape.to_world);
-    }
+    for (const Shape& shape : scene.objects.at(instance.object).shapes) add(scene, shape, &instance);
   }
   if (triangles_.size() + round_.size() > std::numeric_limits<std::uint32_t>::max() / 2) {
     throw Failure(
         "the scene has too many instanced triangles for the reference renderer; use a smaller scene");
   }
+  for (Placement& placement : round_placements_)
+    placement.first += static_cast<std::uint32_t>(triangles_.size());
 }
 
-void Primitives::add(const Scene& scene, const Shape& shape, const glm::dmat4& to_world) {
+void Primitives::add(const Scene& scene, const Shape& shape, const Instance* instance) {
+  const glm::dmat4 to_world = instance ? instance->to_world * shape.to_world : shape.to_world;
   if (shape.kind != ShapeKind::mesh) {
     if (glm::determinant(to_world) == 0) return;  // squashed to nothing
+    round_placements_.push_back({&shape, instance, static_cast<std::uint32_t>(round_.size())});
     round_.push_back(
         {shape.kind, shape.radius, shape.inner_radius, shape.height, to_world, glm::inverse(to_world)});
     return;
   }
   const TriangleMesh& mesh = scene.meshes.at(shape.mesh);
+  if (mesh.triangles.empty()) return;
+  mesh_placements_.push_back({&shape, instance, static_cast<std::uint32_t>(triangles_.size())});
   std::vector<glm::vec3> world;
   world.reserve(mesh.positions.size());
   for (const glm::vec3& p : mesh.positions) world.emplace_back(transform_point(to_world, dvec3(p)));
@@ -127,17 +132,26 @@ SurfacePoint Primitives::surface(std::uint32_t primitive, const Ray& ray, double
       normal = glm::normalize(p);
       p = std::abs(r.radius) * normal;
     }
-    return {transform_point(r.to_world, p), glm::normalize(glm::transpose(glm::dmat3(r.to_object)) * normal)};
+    normal = glm::normalize(glm::transpose(glm::dmat3(r.to_object)) * normal);
+    return {transform_point(r.to_world, p), normal, dvec3(0)};
   }
   const Triangle& triangle = triangles_[primitive];
   const dvec3 p0(triangle.p[0]), p1(triangle.p[1]), p2(triangle.p[2]);
   const dvec3 w = edge_areas(ray, p0 - ray.origin, p1 - ray.origin, p2 - ray.origin);
   const double sum = w.x + w.y + w.z;
-  return {(w.x * p0 + w.y * p1 + w.z * p2) / sum, glm::normalize(cross(p1 - p0, p2 - p0))};
+  return {(w.x * p0 + w.y * p1 + w.z * p2) / sum, glm::normalize(cross(p1 - p0, p2 - p0)), w / sum};
 }
 
 bool Primitives::flat(std::uint32_t primitive) const {
   return primitive < triangles_.size() || round_[primitive - triangles_.size()].kind == ShapeKind::disk;
+}
+
+const Placement& Primitives::placement(std::uint32_t primitive) const {
+  if (primitive >= triangles_.size()) return round_placements_[primitive - triangles_.size()];
+  const auto after = std::upper_bound(
+      mesh_placements_.begin(), mesh_placements_.end(), primitive,
+      [](std::uint32_t value, const Placement& placement) { return value < placement.first; });
+  return *(after - 1);
 }
 
 }  // namespace capcon::reference

@@ -36,10 +36,18 @@ struct Box {
 struct SurfacePoint {
   glm::dvec3 position;
   glm::dvec3 normal;
+  glm::dvec3 weights{0};  ///< barycentric, of a triangle's vertices; 0 for spheres and disks
+};
+
+/// A shape where it stands in the world. Its primitives are numbered from `first` on.
+struct Placement {
+  const Shape* shape;
+  const Instance* instance;  ///< nullptr: one of Scene::shapes
+  std::uint32_t first;
 };
 
 /// Everything of a scene that a ray can hit, in world space: objects are copied out for each of their
-/// instances. Triangles come first in the numbering, then spheres and disks.
+/// instances. Triangles come first in the numbering, then spheres and disks. Keeps pointers into the scene.
 class Primitives {
  public:
   explicit Primitives(const Scene& scene);
@@ -53,6 +61,11 @@ class Primitives {
   SurfacePoint surface(std::uint32_t primitive, const Ray& ray, double t) const;
   /// A flat primitive cannot occlude its own points.
   bool flat(std::uint32_t primitive) const;
+  /// The shape that it is a part of, and its number there: `primitive` - first.
+  const Placement& placement(std::uint32_t primitive) const;
+  /// Every placed mesh, by first primitive; every sphere and disk, one a primitive.
+  const std::vector<Placement>& meshes() const { return mesh_placements_; }
+  const std::vector<Placement>& rounds() const { return round_placements_; }
 
  private:
   /// Vertices are rounded to float once, as the device side rounds them: both trace the same triangles.
@@ -67,10 +80,12 @@ class Primitives {
     glm::dmat4 to_world;
     glm::dmat4 to_object;
   };
-  void add(const Scene& scene, const Shape& shape, const glm::dmat4& to_world);
+  void add(const Scene& scene, const Shape& shape, const Instance* instance);
 
   std::vector<Triangle> triangles_;
   std::vector<Round> round_;
+  std::vector<Placement> mesh_placements_;
+  std::vector<Placement> round_placements_;
 };
 
 }  // namespace capcon::reference

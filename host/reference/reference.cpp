@@ -3,14 +3,12 @@
 #include <atomic>
 #include <cassert>
 #include <chrono>
-#include <glm/geometric.hpp>
+#include <mutex>
 #include <thread>
 
 #include "base/parallel.h"
+#include "reference/direct_lighting.h"
 #include "reference/hemisphere.h"
-#include "reference/tree.h"
-#include "reference/view.h"
-#include "sampling/sampler.h"
 
 namespace capcon {
 namespace {
@@ -37,31 +35,12 @@ double to_unit(std::uint32_t word) {
 }  // namespace
 
 struct Reference::State {
-  explicit State(const Scene& scene)
-      : primitives(scene), tree(primitives), view(scene.camera, scene.film), film(scene.film) {
-    // A surface point is exact to a few ulps of its primitive's coordinates; 64 ulps of the largest keep it
-    // outside.
-    offset = 64 * 0x1p-52 * tree.scale();
-  }
-
-  /// The point that the ray sees, with its normal turned towards the viewer, ready for rays that leave it.
-  struct Seen {
-    SurfacePoint at;
-    std::uint32_t ignored;
-  };
-  std::optional<Seen> look(const Ray& ray) const {
-    const std::optional<Hit> hit = tree.closest(ray);
-    if (!hit) return {};
-    SurfacePoint at = primitives.surface(hit->primitive, ray, hit->t);
-    if (glm::dot(at.normal, ray.direction) > 0) at.normal = -at.normal;
-    at.position += offset * at.normal;
-    return Seen{at, primitives.flat(hit->primitive) ? hit->primitive : Tree::kNone};
-  }
+  explicit State(const Scene& s) : scene(s), geometry(s), view(s.camera, s.film), film(s.film) {}
 
   bool visible(const Seen& seen, FixedPoint point, double radius) const {
     const glm::dvec3 local = cosine_hemisphere(to_unit(point.x), to_unit(point.y));
     const glm::dvec3 direction = glm::normalize(around_normal(seen.at.normal, local));
-    return !tree.occluded({seen.at.position, direction}, radius, seen.ignored);
+    return !geometry.tree.occluded({seen.at.position, direction}, radius, {seen.ignored});
   }
 
   struct Count {
@@ -76,9 +55,9 @@ struct Reference::State {
     for (std::uint32_t i = 0; i < job.samples; ++i) {
       if (job.position == PixelPosition::jittered) {
         const FixedPoint place = sampler.sample(pixel, i, kPixelPair);
-        seen = look(view.ray(x + to_unit(place.x), y + to_unit(place.y)));
+        seen = geometry.look(view.ray(x + to_unit(place.x), y + to_unit(place.y)));
       } else if (i == 0) {
-        seen = look(view.ray(x + 0.5, y + 0.5));
+        seen = geometry.look(view.ray(x + 0.5, y + 0.5));
       }
       if (!seen) continue;
       ++count.rays;
@@ -88,12 +67,37 @@ struct Reference::State {
     return count;
   }
 
-  Primitives primitives;
-  Tree tree;
+  /// Calls pixel(x, y), which returns the rays that it traced, for all of the film.
+  template <typename Pixel>
+  void trace(RenderResult& result, const std::function<void(double)>& on_progress, const Pixel& pixel) const {
+    const Stopwatch watch;
+    std::atomic<std::uint64_t> rays{0};
+    std::atomic<int> rows{0};
+    const std::thread::id caller = std::this_thread::get_id();
+    parallel_for(static_cast<std::size_t>(film.height), [&](std::size_t row) {
+      std::uint64_t row_rays = 0;
+      for (int x = 0; x < film.width; ++x) row_rays += pixel(x, static_cast<int>(row));
+      rays += row_rays;
+      const int done = ++rows;
+      if (on_progress && std::this_thread::get_id() == caller) on_progress(double(done) / film.height);
+    });
+    if (on_progress) on_progress(1);
+    result.rays = rays;
+    result.timings.wall["trace"] = watch.seconds();
+  }
+
+  const DirectLighting& lighting() {
+    std::call_once(lighting_once, [&] { direct = std::make_unique<DirectLighting>(scene, geometry); });
+    return *direct;
+  }
+
+  const Scene& scene;
+  Geometry geometry;
   View view;
   Film film;
-  double offset = 0;
   Timings setup;
+  std::once_flag lighting_once;
+  std::unique_ptr<DirectLighting> direct;
 };
 
 Reference::Reference(const Scene& scene) {
@@ -111,34 +115,43 @@ const Timings& Reference::setup() const {
 RenderResult Reference::render(const AmbientOcclusionJob& job,
                                const std::function<void(double)>& on_progress) const {
   assert(job.samples >= 1 && job.radius > 0);
-  const Film& film = state_->film;
   RenderResult result;
   result.device = "reference";
-  const Stopwatch points_watch;
+  const Stopwatch watch;
   const std::unique_ptr<Sampler> sampler = make_sampler(job.sampler, job.samples, job.seed);
-  result.timings.wall["points"] = points_watch.seconds();
-
-  const Stopwatch trace_watch;
-  result.image = Image(film.width, film.height, 1);
-  std::atomic<std::uint64_t> rays{0};
-  std::atomic<int> rows{0};
-  const std::thread::id caller = std::this_thread::get_id();
-  parallel_for(static_cast<std::size_t>(film.height), [&](std::size_t row) {
-    const int y = static_cast<int>(row);
-    std::uint64_t row_rays = 0;
-    for (int x = 0; x < film.width; ++x) {
-      const State::Count count = state_->count_pixel(job, *sampler, x, y);
-      result.image.at(x, y, 0) = static_cast<float>(count.visible) / static_cast<float>(job.samples);
-      row_rays += count.rays;
-    }
-    rays += row_rays;
-    const int done = ++rows;
-    if (on_progress && std::this_thread::get_id() == caller) on_progress(double(done) / film.height);
+  result.timings.wall["points"] = watch.seconds();
+  result.image = Image(state_->film.width, state_->film.height, 1);
+  state_->trace(result, on_progress, [&](int x, int y) {
+    const State::Count count = state_->count_pixel(job, *sampler, x, y);
+    result.image.at(x, y, 0) = static_cast<float>(count.visible) / static_cast<float>(job.samples);
+    return count.rays;
   });
-  if (on_progress) on_progress(1);
-  result.rays = rays;
-  result.timings.wall["trace"] = trace_watch.seconds();
   return result;
+}
+
+RenderResult Reference::render(const DirectLightingJob& job,
+                               const std::function<void(double)>& on_progress) const {
+  assert(job.image_samples >= 1 && job.integrator_samples >= 1);
+  RenderResult result;
+  result.device = "reference";
+  const Stopwatch lighting_watch;
+  const DirectLighting& lighting = state_->lighting();
+  result.timings.wall["lighting"] = lighting_watch.seconds();
+  const Stopwatch points_watch;
+  const DirectPoints points(job);
+  result.timings.wall["points"] = points_watch.seconds();
+  result.image = Image(state_->film.width, state_->film.height, 3);
+  state_->trace(result, on_progress, [&](int x, int y) {
+    const DirectLighting::Estimate estimate =
+        lighting.pixel(job, points, state_->view, state_->film.width, x, y);
+    for (int c = 0; c < 3; ++c) result.image.at(x, y, c) = static_cast<float>(estimate.radiance[c]);
+    return estimate.rays;
+  });
+  return result;
+}
+
+RenderResult Reference::render(const Job& job, const std::function<void(double)>& on_progress) const {
+  return std::visit([&](const auto& j) { return render(j, on_progress); }, job);
 }
 
 }  // namespace capcon

@@ -8,13 +8,19 @@
 
 namespace capcon {
 
-/// The oracle: the same jobs in double precision on the CPU, with its own traversal, warps and offsets. It shares with
-/// the device side only the scene and the bits of the sample points.
+/// The oracle: the same jobs in double precision on the CPU, with its own traversal, warps and offsets. It
+/// shares with the device side only the scene and the bits of the sample points.
 class Reference {
  public:
+  /// Keeps a reference. What lights and materials need is made when the first job asks for it.
   explicit Reference(const Scene& scene);
   ~Reference();
-  RenderResult render(const AmbientOcclusionJob& job, const std::function<void(double)>& on_progress = {}) const;
+  RenderResult render(const AmbientOcclusionJob& job,
+                      const std::function<void(double)>& on_progress = {}) const;
+  /// docs/direct.md. InputError as read_lights, read_materials and make_sampler.
+  RenderResult render(const DirectLightingJob& job,
+                      const std::function<void(double)>& on_progress = {}) const;
+  RenderResult render(const Job& job, const std::function<void(double)>& on_progress = {}) const;
   const Timings& setup() const;
 
  private:

@@ -83,10 +83,11 @@ void Tree::walk(const Ray& ray, double& t_max, const Visit& visit) const {
   }
 }
 
-std::optional<Hit> Tree::closest(const Ray& ray) const {
+std::optional<Hit> Tree::closest(const Ray& ray, const Ignored& ignored) const {
   std::optional<Hit> nearest;
   double t_max = std::numeric_limits<double>::infinity();
   walk(ray, t_max, [&](std::uint32_t primitive) {
+    if (ignored(primitive)) return false;
     const double t = primitives_.intersect(primitive, ray, t_max);
     // Of two primitives at the same distance the lower number wins, whatever the order of the tree.
     if (t > 0 && (!nearest || t < nearest->t || (t == nearest->t && primitive < nearest->primitive))) {
@@ -98,10 +99,10 @@ std::optional<Hit> Tree::closest(const Ray& ray) const {
   return nearest;
 }
 
-bool Tree::occluded(const Ray& ray, double t_max, std::uint32_t ignored) const {
+bool Tree::occluded(const Ray& ray, double t_max, const Ignored& ignored) const {
   bool hit = false;
   walk(ray, t_max, [&](std::uint32_t primitive) {
-    hit = primitive != ignored && primitives_.intersect(primitive, ray, t_max) > 0;
+    hit = !ignored(primitive) && primitives_.intersect(primitive, ray, t_max) > 0;
     return hit;
   });
   return hit;

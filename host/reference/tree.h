@@ -14,18 +14,26 @@ struct Hit {
   double t = 0;
 };
 
+/// Primitives that a ray is not tested against: one, and `count` from `first` on.
+struct Ignored {
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t primitive = kNone;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+
+  bool operator()(std::uint32_t number) const { return number == primitive || number - first < count; }
+};
+
 /// A binary bounding volume hierarchy over primitives, split by the surface area heuristic over bins.
 class Tree {
  public:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
   /// Keeps a reference to `primitives`.
   explicit Tree(const Primitives& primitives);
 
   /// The nearest surface in front of the origin.
-  std::optional<Hit> closest(const Ray& ray) const;
-  /// Whether anything but primitive `ignored` is hit at a distance in (0, t_max].
-  bool occluded(const Ray& ray, double t_max, std::uint32_t ignored = kNone) const;
+  std::optional<Hit> closest(const Ray& ray, const Ignored& ignored = {}) const;
+  /// Whether anything that is not ignored is hit at a distance in (0, t_max].
+  bool occluded(const Ray& ray, double t_max, const Ignored& ignored = {}) const;
   /// Largest magnitude of a coordinate in the scene.
   double scale() const { return scale_; }
 

@@ -1,5 +1,5 @@
-// Anchor scene A (ambient occlusion, 212,298 triangles, radius 2) against pbrt-v4's converged image and its
-// own errors.
+// Anchor scenes A (ambient occlusion, 212,298 triangles, radius 2) and B (direct lighting, 104,999 triangles,
+// a disk) against pbrt-v4's converged images and its own errors.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -34,6 +34,27 @@ TEST(Anchors, AmbientOcclusionOfSceneA) {
   // error.
   EXPECT_NEAR(mse, 2.821e-3, 0.06 * 2.821e-3);
   EXPECT_LT(trimmed, 2.7e-3);
+}
+
+TEST(Anchors, DirectLightingOfSceneB) {
+  const std::filesystem::path folder = std::filesystem::path(CAPCON_SHARED_DIR) / "anchors";
+  if (!std::filesystem::exists(folder / "B.pbrt")) GTEST_SKIP() << "no anchor scenes at " << folder;
+  const Scene scene = read_scene((folder / "B.pbrt").string());
+  const Reference reference(scene);
+  const Image converged = read_exr(folder / "ref" / "B_direct_centre_v4.exr");
+  DirectLightingJob job;
+  job.sampler = "sobol-owen";
+  job.integrator_samples = 16;
+  double mse = 0, trimmed = 0;
+  for (job.seed = 1; job.seed <= 3; ++job.seed) {
+    const Comparison c = compare(reference.render(job).image, converged);
+    EXPECT_LT(std::abs(c.mean_difference), 1e-4);
+    mse += c.mse / 3;
+    trimmed += c.mse_trimmed / 3;
+  }
+  RecordProperty("mse", std::to_string(mse));
+  EXPECT_NEAR(mse, 1.721e-5, 0.06 * 1.721e-5);  // pbrt-v4's padded Owen sampler
+  EXPECT_LT(trimmed, 8.1e-6);
 }
 
 }  // namespace

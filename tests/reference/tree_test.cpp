@@ -204,7 +204,7 @@ TEST(Tree, OneIgnoredPrimitiveAndRangeLimits) {
   const Ray down{{0, 2, 0}, {0, -1, 0}};
   EXPECT_TRUE(tree.occluded(down, 2));  // the end of the range belongs to it
   EXPECT_FALSE(tree.occluded(down, 1.9999999999));
-  EXPECT_FALSE(tree.occluded(down, 10, 0));
+  EXPECT_FALSE(tree.occluded(down, 10, {0}));
   EXPECT_FALSE(tree.occluded({{0, 0, 0}, {0, -1, 0}}, 10));  // its beginning does not
   EXPECT_EQ(tree.scale(), 1);
 }

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "reference/bsdf.h"
+#include "reference/geometry.h"
+#include "reference/light_sampling.h"
+#include "reference/surfaces.h"
+#include "reference/view.h"
+#include "sampling/sampler.h"
+#include "scene/job.h"
+
+namespace capcon::reference {
+
+/// The points of one job.
+class DirectPoints {
+ public:
+  /// InputError as make_sampler.
+  explicit DirectPoints(const DirectLightingJob& job);
+  /// Where in the film's pixel (x, y) image sample p lies.
+  glm::dvec2 film(std::uint32_t pixel, int x, int y, std::uint32_t p) const;
+  /// Point i of image sample p, of a dimension pair other than the film's, in [0, 1)^2.
+  glm::dvec2 operator()(std::uint32_t pixel, std::uint32_t p, std::uint32_t i, std::uint32_t pair,
+                        SampleDomain domain) const;
+
+ private:
+  DirectLightingJob job_;
+  std::unique_ptr<Sampler> integrand_;
+  std::unique_ptr<Sampler> image_;  ///< none where all image samples are at the centre
+};
+
+/// The estimator of docs/direct.md.
+class DirectLighting {
+ public:
+  /// Keeps references.
+  DirectLighting(const Scene& scene, const Geometry& geometry)
+      : geometry_(geometry),
+        surfaces_(scene, geometry.primitives),
+        bsdfs_(scene),
+        lights_(scene, geometry.primitives) {}
+
+  struct Estimate {
+    glm::dvec3 radiance{0};
+    std::uint64_t rays = 0;  ///< shadow rays and BSDF rays
+  };
+  /// The value of a pixel.
+  Estimate pixel(const DirectLightingJob& job, const DirectPoints& points, const View& view, int width, int x,
+                 int y) const;
+
+ private:
+  struct Vertex;
+  /// The two lines of the estimate, for one integrator sample.
+  glm::dvec3 light_sample(const Vertex& vertex, int light, const glm::dvec2& point, Strategy strategy,
+                          std::uint64_t& rays) const;
+  glm::dvec3 bsdf_sample(const Vertex& vertex, const glm::dvec2& point, double choice, Strategy strategy,
+                         std::uint64_t& rays) const;
+  glm::dvec3 emitted(const Seen& seen, const Ray& ray) const;
+
+  const Geometry& geometry_;
+  Surfaces surfaces_;
+  Bsdfs bsdfs_;
+  LightSampling lights_;
+};
+
+}  // namespace capcon::reference
