@@ -89,10 +89,10 @@ double Bsdf::specular_part(double cosine) const {
   if (material_.kind == MaterialKind::conductor) return 1;
   if (material_.kind == MaterialKind::measured) return measured_->specular_weight;
   const bool substrate = material_.coat == Coat::substrate;
-  const double f =
-      substrate ? luminance(schlick(cosine, material_.specular)) : fresnel(cosine, material_.eta.x, 0);
-  const double specular = substrate ? f : luminance(material_.specular) * f;
-  const double diffuse = luminance(base_) * (1 - f);
+  const dvec3 f =
+      substrate ? schlick(cosine, material_.specular) : dvec3(fresnel(cosine, material_.eta.x, 0));
+  const double specular = substrate ? luminance(f) : luminance(material_.specular * f);
+  const double diffuse = luminance(base_ * (1.0 - f));
   return specular + diffuse > 0 ? specular / (specular + diffuse) : 0;
 }
 
