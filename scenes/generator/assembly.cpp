@@ -8,12 +8,16 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "generator/compact.h"
+#include "generator/normals.h"
 #include "generator/ply.h"
 
 namespace capcon::scenes {
 
-void Assembly::define(const std::string& name, Model model) {
-  for (Model::Part& part : model.parts) compact(part.mesh);
+void Assembly::define(const std::string& name, Model model, double crease) {
+  for (Model::Part& part : model.parts) {
+    compact(part.mesh);
+    if (crease > 0) add_normals(part.mesh, crease);
+  }
   std::erase_if(model.parts, [](const Model::Part& part) { return part.mesh.triangles.empty(); });
   if (!entries_.emplace(name, Entry{std::move(model), {}}).second) {
     throw Failure(fmt::format("two models of scene {} are called {}", name_, name));
@@ -26,8 +30,8 @@ void Assembly::place(const std::string& name, const Matrix& where) {
   found->second.places.push_back(where);
 }
 
-void Assembly::add(const std::string& name, Model model, const Matrix& where) {
-  define(name, std::move(model));
+void Assembly::add(const std::string& name, Model model, const Matrix& where, double crease) {
+  define(name, std::move(model), crease);
   place(name, where);
 }
 

@@ -14,11 +14,12 @@ class Assembly {
   explicit Assembly(std::string name) : name_(std::move(name)) {}
 
   /// Puts a new model here; the name is new in this scene and fit for a file name.
-  void define(const std::string& name, Model model);
+  /// With a crease in degrees its meshes get normals: edges that bend less look smooth.
+  void define(const std::string& name, Model model, double crease = 0);
   /// Lets a defined model stand somewhere.
   void place(const std::string& name, const Matrix& where = Matrix(1));
   /// define and place in one: something that exists once.
-  void add(const std::string& name, Model model, const Matrix& where = Matrix(1));
+  void add(const std::string& name, Model model, const Matrix& where = Matrix(1), double crease = 0);
   /// Repeats all that has been placed so far: nx times along x and ny times along y, `step` metres apart.
   void repeat(int nx, int ny, const Vec2& step);
 

@@ -18,6 +18,7 @@ using Matrix = glm::dmat4;
 struct Mesh {
   std::vector<Vec3> positions;
   std::vector<glm::uvec3> triangles;
+  std::vector<Vec3> normals;  ///< empty, or one a position: only of finished meshes, see add_normals
 
   std::uint32_t vertex(const Vec3& position);
   /// Slivers of less than a square millimetre's thousandth are left out (poles of a lathe, ends of an arch).

@@ -6,7 +6,8 @@
 
 namespace capcon::scenes {
 
-/// The mesh as a binary little-endian PLY file: float x y z, triangles as lists of uchar and int.
+/// The mesh as a binary little-endian PLY file: float x y z, nx ny nz where
+/// there are normals, triangles as lists of uchar and int.
 std::string ply_bytes(const Mesh& mesh);
 
 }  // namespace capcon::scenes
