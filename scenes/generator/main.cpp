@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "generator/atelier.h"
 #include "generator/courtyard.h"
 #include "generator/nave.h"
 
@@ -41,6 +42,7 @@ int run(int argc, char** argv) {
   std::filesystem::create_directories(folder);
   write(scenes::courtyard(scale), folder);
   write(scenes::nave(), folder);
+  write(scenes::atelier(), folder);
   return 0;
 }
 }  // namespace

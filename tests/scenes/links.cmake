@@ -1,1 +1,1 @@
-set(links capcon_scene)
+set(links capcon_shading capcon_scenes)
