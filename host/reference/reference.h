@@ -14,6 +14,7 @@ class Reference {
  public:
   /// Keeps a reference. What lights and materials need is made when the first job asks for it.
   explicit Reference(const Scene& scene);
+  explicit Reference(const Scene&& scene) = delete;
   ~Reference();
   RenderResult render(const AmbientOcclusionJob& job,
                       const std::function<void(double)>& on_progress = {}) const;

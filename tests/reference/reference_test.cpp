@@ -83,7 +83,8 @@ TEST(Reference, JitteredPositionsComeFromTheirOwnPair) {
 }
 
 TEST(Reference, CentreAndJitteredAgreeInTheMeanButNotAtEdges) {
-  const Reference reference(still_life());
+  const Scene scene = still_life();
+  const Reference reference(scene);
   const Image centre = reference.render(job_of(PixelPosition::centre)).image;
   const Image jittered = reference.render(job_of(PixelPosition::jittered)).image;
   double difference = 0;
@@ -97,7 +98,8 @@ TEST(Reference, CentreAndJitteredAgreeInTheMeanButNotAtEdges) {
 }
 
 TEST(Reference, SameBitsForAnyNumberOfThreads) {
-  const Reference reference(still_life());
+  const Scene scene = still_life();
+  const Reference reference(scene);
   for (const PixelPosition position : {PixelPosition::centre, PixelPosition::jittered}) {
     setenv("CAPCON_THREADS", "1", 1);
     const RenderResult one = reference.render(job_of(position));
@@ -122,7 +124,8 @@ TEST(Reference, InstancesAreCopies) {
 }
 
 TEST(Reference, ReportsWhatItDid) {
-  const Reference reference(still_life());
+  const Scene scene = still_life();
+  const Reference reference(scene);
   double last = 0;
   bool foreign = false;
   const std::thread::id here = std::this_thread::get_id();
