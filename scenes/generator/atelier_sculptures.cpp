@@ -5,18 +5,12 @@
 #include "generator/profiles.h"
 #include "generator/solids.h"
 #include "generator/surfaces.h"
+#include "generator/wares.h"
 
 namespace capcon::scenes::studio {
 
 namespace {
 constexpr double kCrease = 40;
-
-/// A drum with a bead at either end.
-Mesh plinth(double radius, double height) {
-  Profile profile(radius, -0.01);
-  profile.to(radius, height - 0.02).curve(-0.02, 0.02, 0.41421356, 6).to(0, height);
-  return lathe(profile.points(), 96);
-}
 
 /// A ball of hoops: meridians and parallels of thin bars.
 Mesh cage(double radius, double bar) {
@@ -58,33 +52,11 @@ Mesh pillar_head(const Mesh& pillar, int around, double height) {
                   pillar.positions[first + (i + 1) % around]);
   return mesh;
 }
-
-/// A bowl with gadroons, inside and outside.
-Mesh bowl(double radius, double height) {
-  std::vector<Vec2> outer = smooth(
-      {{0.36 * radius, 0}, {0.42 * radius, 0.04 * height}, {0.8 * radius, 0.4 * height}, {radius, height}},
-      10);
-  outer.insert(outer.begin(), Vec2(0, 0.0));
-  Profile lip(outer.back().x, outer.back().y);
-  lip.curve(-0.05 * radius, 0, 1, 6);
-  outer.insert(outer.end(), lip.points().begin() + 1, lip.points().end());
-  const std::vector<Vec2> inner = smooth({{0.95 * radius, height},
-                                          {0.74 * radius, 0.42 * height},
-                                          {0.34 * radius, 0.12 * height},
-                                          {0, 0.09 * height}},
-                                         10);
-  outer.insert(outer.end(), inner.begin() + 1, inner.end());
-  outer.back().x = 0;
-  return lathe(outer, 168, [&](double angle, double z) {
-    const double depth = 0.045 * std::min(1.0, std::max(0.0, z / height - 0.05) * 3);
-    return 1 + depth * std::cos(14 * angle);
-  });
-}
 }  // namespace
 
 void add_sculptures(Assembly& scene) {
   Model knot;
-  knot.add("cream", plinth(0.4, 0.62));
+  knot.add("cream", drum(0.4, 0.62, 96));
   knot.add("petrol",
            closed_tube([](double t) { return torus_knot(t, 2, 3, 0.33, 0.165); },
                        [](double, double) { return 0.088; }, 320, 32),
@@ -102,7 +74,7 @@ void add_sculptures(Assembly& scene) {
   scene.add("pillar", pillar, translate(2.55, 0.85, 0.94) * rotate_z(15), kCrease);
 
   Model dish;
-  dish.add("slate", bowl(0.34, 0.24));
+  dish.add("slate", gadrooned_bowl(0.34, 0.24, 14, 168));
   scene.add("bowl", dish, translate(0.55, -1.3, 0), kCrease);
 }
 
@@ -128,8 +100,8 @@ void add_branch(Assembly& scene) {
     const Vec3 out(std::cos(a), std::sin(a), 0);
     const std::vector<Vec3> stem =
         smooth(std::vector<Vec3>{0.02 * out + Vec3(0, 0, 0.3), 0.035 * out + Vec3(0, 0, 0.55),
-                (0.3 * lean * length) * out + Vec3(0, 0, 0.5 + 0.5 * length),
-                (lean * length) * out + Vec3(0, 0, 0.5 + (1 - 0.35 * lean) * length)},
+                                 (0.3 * lean * length) * out + Vec3(0, 0, 0.5 + 0.5 * length),
+                                 (lean * length) * out + Vec3(0, 0, 0.5 + (1 - 0.35 * lean) * length)},
                8);
     std::vector<double> radii;
     for (std::size_t i = 0; i < stem.size(); ++i) radii.push_back(0.007 - 0.005 * i / stem.size());

@@ -10,6 +10,7 @@
 #include "generator/atelier.h"
 #include "generator/courtyard.h"
 #include "generator/nave.h"
+#include "generator/terrace.h"
 
 namespace {
 using namespace capcon;
@@ -43,6 +44,8 @@ int run(int argc, char** argv) {
   write(scenes::courtyard(scale), folder);
   write(scenes::nave(), folder);
   write(scenes::atelier(), folder);
+  write(scenes::terrace(), folder);
+  scenes::write_terrace_data(folder);
   return 0;
 }
 }  // namespace

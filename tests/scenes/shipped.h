@@ -8,14 +8,16 @@
 #include "generator/atelier.h"
 #include "generator/courtyard.h"
 #include "generator/nave.h"
+#include "generator/terrace.h"
 
 namespace capcon {
 
-inline const auto kShippedScenes = testing::Values("courtyard", "nave", "direct");
+inline const auto kShippedScenes = testing::Values("courtyard", "nave", "direct", "splitting");
 
 inline scenes::Assembly shipped_scene(const std::string& name) {
   if (name == "nave") return scenes::nave();
   if (name == "direct") return scenes::atelier();
+  if (name == "splitting") return scenes::terrace();
   return scenes::courtyard(1);
 }
 
