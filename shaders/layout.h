@@ -50,6 +50,14 @@ CAPCON_CONST kSpecAnyHit = 4u;       // rays.comp: 1: any hit will do, 0: the cl
 CAPCON_CONST kSpecInstances = 5u;    // 1: the scene's tree is one of instances, each with a tree of its own
 CAPCON_CONST kSpecDetails = 6u;      // 1: primary.comp writes what shading needs: normal, uv, material
 CAPCON_CONST kSpecOrdered = 7u;      // 1: a pixel's samples are taken in the order of kBindOrder
+CAPCON_CONST kSpecMaterials = 8u;    // kHas... bits of the scene's materials
+CAPCON_CONST kSpecLight = 9u;        // light_samples.comp: the kind of its light
+CAPCON_CONST kSpecLightKinds = 10u;  // a bit a kind of the scene's lights
+CAPCON_CONST kSpecOctahedral = 11u;  // 1: some environment map is octahedral
+CAPCON_CONST kSpecStrategy = 12u;    // kStrategy...
+CAPCON_CONST kSpecDetailNormals = 13u;  // 1: details hold the vertices' normals
+CAPCON_CONST kSpecDetailUvs = 14u;   // 1: details hold the vertices' uvs
+CAPCON_CONST kSpecFilter = 15u;      // 1: image samples are placed by the filter's table, 0: evenly in the pixel
 
 // Bindings of every kernel; those that a kernel does not name are left out of its layout.
 CAPCON_CONST kBindNodes = 0u;       // data texels: four a BVH node
@@ -62,10 +70,17 @@ CAPCON_CONST kBindPoints = 6u;      // sample points as bits, storage (the test 
 CAPCON_CONST kBindRays = 7u;        // data texels: two a ray (rays.comp)
 CAPCON_CONST kBindHits = 8u;        // distance and primitive of each ray, storage (rays.comp)
 CAPCON_CONST kBindInstances = 9u;   // data texels: eight an instance
-CAPCON_CONST kBindDetails = 10u;    // data texels: three a primitive, what shading needs of it
+CAPCON_CONST kBindDetails = 10u;    // data texels: what shading needs of a primitive (host/render/geometry.h)
 CAPCON_CONST kBindShading = 11u;    // what shading needs of each pixel: two texels, storage
 CAPCON_CONST kBindOrder = 12u;     // data texels: the order of a pixel's samples, one word each (occlusion.comp)
-CAPCON_CONST kBindCount = 13u;
+CAPCON_CONST kBindMaterials = 13u;  // data texels: materials, texture headers, measured tables (render/material_data.h)
+CAPCON_CONST kBindTextures = 14u;   // data texels: a pixel each
+CAPCON_CONST kBindLights = 15u;     // data texels: lights and their triangles (render/light_data.h)
+CAPCON_CONST kBindEnvironment = 16u;  // data texels: environment maps with their tables
+CAPCON_CONST kBindSamples = 17u;    // what each sample of a batch brings, one texel (data texels where read, storage where written)
+CAPCON_CONST kBindSums = 18u;       // radiance of each pixel, storage: two texels, the sum and what rounding took from it
+CAPCON_CONST kBindFilter = 19u;     // data texels: the filter's quantiles (render/filter_table.h)
+CAPCON_CONST kBindCount = 20u;
 
 // Ids in a primitive's first texel (word 3): triangles count from 0, quadrics carry this bit and their index.
 CAPCON_CONST kQuadricBit = 0x80000000u;
@@ -75,6 +90,43 @@ CAPCON_CONST kWorldInstance = 0x80000000u;
 // Quadric kinds, in the first word of the last texel of a quadric.
 CAPCON_CONST kQuadricSphere = 0u;
 CAPCON_CONST kQuadricDisk = 1u;
+
+// Kinds of materials: bits of kSpecMaterials and first word of a material.
+CAPCON_CONST kHasDiffuse = 1u;
+CAPCON_CONST kHasConductor = 2u;
+CAPCON_CONST kHasAdded = 4u;        // plastics by their coat
+CAPCON_CONST kHasSubstrate = 8u;
+CAPCON_CONST kHasTransmitted = 16u;
+CAPCON_CONST kHasMeasured = 32u;
+CAPCON_CONST kHasTexture = 64u;     // some base colour is textured
+CAPCON_CONST kWrapRepeat = 0u;
+CAPCON_CONST kWrapBlack = 1u;
+CAPCON_CONST kWrapClamp = 2u;
+
+// Kinds of lights.
+CAPCON_CONST kLightDisk = 0u;
+CAPCON_CONST kLightSphere = 1u;
+CAPCON_CONST kLightRectangle = 2u;
+CAPCON_CONST kLightTriangles = 3u;
+CAPCON_CONST kLightMap = 4u;        // environment with an image
+CAPCON_CONST kLightConstant = 5u;   // environment without
+CAPCON_CONST kLightDistant = 6u;
+CAPCON_CONST kLightPoint = 7u;
+CAPCON_CONST kLightTwoSided = 1u;   // flags
+CAPCON_CONST kLightHidden = 2u;
+CAPCON_CONST kLightInward = 4u;
+
+CAPCON_CONST kStrategyPower = 0u;
+CAPCON_CONST kStrategyBalance = 1u;
+CAPCON_CONST kStrategyOne = 2u;     // light or BSDF samples alone
+
+// Intervals of the filter's table.
+CAPCON_CONST kFilterIntervals = 4096u;
+
+// In the light word of a primitive's details, where it is none:
+CAPCON_CONST kNoLight = 0x7fffffffu;
+// And a bit of it: its triangle emits against the order of its vertices.
+CAPCON_CONST kLightTurned = 0x80000000u;
 
 // The tree's place: grid coordinates are (p - origin) * scale.
 struct TreeConstants {
@@ -119,6 +171,45 @@ struct PointConstants {
   uint pixel_count;
   uint dimension;
   uint domain;
+};
+
+// light_samples.comp and bsdf_samples.comp: 128 bytes.
+struct DirectConstants {
+  TreeConstants tree;
+  uvec4 words;        // SamplerTables::constants
+  uvec4 split;        // parts, points in a part, and their strides
+  vec4 eye;           // w: the seed's bits
+  uint first_pixel;
+  uint pixel_count;   // pixels of this batch
+  uint first_sample;  // of the samples first_sample ... first_sample + samples - 1 of each
+  uint samples;
+  uint group_stride;
+  uint band;
+  uint light;         // light_samples: which; bsdf_samples: how many area lights come before the environments
+  uint lights;        // how many there are
+  uint flags;         // kDirect...
+  uint pad0, pad1, pad2;
+};
+CAPCON_CONST kDirectFirst = 1u;     // the samples' radiance is written, not added to
+CAPCON_CONST kDirectSeparate = 2u;  // each part is a set of its own, with dimension numbers of its own
+
+// resolve.comp: adds a batch's samples to their pixels.
+struct ResolveConstants {
+  uint first_pixel;
+  uint pixel_count;
+  uint samples;       // of each pixel in this batch
+  uint band;
+};
+
+// emission.comp: adds what pixels see of lights themselves.
+struct EmissionConstants {
+  uint first_pixel;
+  uint pixel_count;
+  uint band;
+  uint light;         // the first environment
+  uint lights;
+  float weight;       // of this image sample
+  uint pad0, pad1;
 };
 
 struct RayConstants {

@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // What each pixel sees. Reads the tree and, for jittered image samples, the sampler's table; writes two texels a pixel: the
-// origin for rays that leave the surface with the primitive's id, and the normal that faces the viewer. One ray a thread.
+// origin for rays that leave the surface with the primitive's id, and the normal that faces the viewer (where nothing is seen: the
+// ray's direction). One ray a thread.
 #include "layout.h"
 
 layout(local_size_x = kGroupSize) in;
@@ -10,35 +11,32 @@ layout(constant_id = kSpecJittered) const uint kJittered = 0u;
 
 #include "fetch.glsl"
 #include "sampling/sampler.glsl"
+#include "sampling/filter.glsl"
 #include "tracing/bvh.glsl"
 
 layout(set = 0, binding = kBindSurfaces, std430) writeonly buffer Surfaces { uvec4 surfaces[]; };
 
-// What shading needs, where it is asked for: shading normal and material; uv and area light.
+// What shading needs, where it is asked for: shading normal and material; uv, light and whether it shines this way.
 layout(constant_id = kSpecDetails) const uint kDetails = 0u;
-DATA_TEXELS(kBindDetails, detail_texels);
 layout(set = 0, binding = kBindShading, std430) writeonly buffer Shading { uvec4 shading[]; };
+#include "tracing/details.glsl"
 
-// Octahedral, 16 bits a coordinate; 0: none.
-vec3 unpack_normal(uint word) {
-  vec2 o = (vec2(float(word & 0xffffu), float(word >> 16u)) - 1.0) * (2.0 / 65534.0) - 1.0;
-  vec3 n = vec3(o, 1.0 - abs(o.x) - abs(o.y));
-  float over = max(-n.z, 0.0);
-  n.x += n.x >= 0.0 ? -over : over;
-  n.y += n.y >= 0.0 ? -over : over;
-  return word == 0u ? vec3(0.0) : normalize(n);
-}
-
-void write_shading(uint pixel, uint slot, vec3 weights, vec3 geometric) {
-  uvec4 d0 = FETCH(detail_texels, slot * 3u);
-  vec4 d1 = uintBitsToFloat(FETCH(detail_texels, slot * 3u + 1u));
-  uvec4 d2 = FETCH(detail_texels, slot * 3u + 2u);
-  vec3 n = weights.x * unpack_normal(d0.x) + weights.y * unpack_normal(d0.y) + weights.z * unpack_normal(d0.z);
-  n = dot(n, n) > 0.0 ? normalize(n) : geometric;
-  n = dot(n, geometric) < 0.0 ? -n : n;
-  vec2 uv = weights.x * d1.xy + weights.y * d1.zw + weights.z * uintBitsToFloat(d2.xy);
-  shading[pixel * 2u] = uvec4(floatBitsToUint(n), d0.w);
-  shading[pixel * 2u + 1u] = uvec4(floatBitsToUint(uv), d2.z, 0u);
+// `facing`: the unit normal that faces the viewer; `front`: the side on which the vertices are counter-clockwise is seen.
+void write_shading(uint place, Hit hit, vec3 facing, bool front, bool seen) {
+  uint slot = seen ? hit.slot : 0u;
+  Details d = load_details(slot, hit.weights);
+  vec3 n = d.normal;
+  if (kInstances != 0u) {
+    vec4 i0 = instance_row(hit.instance, 0u), i1 = instance_row(hit.instance, 1u), i2 = instance_row(hit.instance, 2u);
+    bool own = (FETCH(instance_texels, hit.instance * 8u + 3u).w & kWorldInstance) != 0u;
+    n = own ? n : n.x * i0.xyz + n.y * i1.xyz + n.z * i2.xyz;
+  }
+  float length2 = dot(n, n);
+  n = length2 > 0.0 ? n * inversesqrt(length2) : facing;
+  n = dot(n, facing) < 0.0 ? -n : n;
+  bool shines = front != ((d.light & kLightTurned) != 0u);
+  shading[place * 2u] = uvec4(floatBitsToUint(n), d.material);
+  shading[place * 2u + 1u] = uvec4(floatBitsToUint(d.uv), seen ? d.light & ~kLightTurned : kNoLight, shines ? 1u : 0u);
 }
 
 // A point, its normal and the bound of its error from an instance's object into the world. The way back into the object, when
@@ -69,7 +67,7 @@ void main() {
   if (kJittered != 0u && floatBitsToUint(push.down.w) != 0u) {
     uint place = shuffled(push.seed, push.count, push.words.z, pixel, push.sample_index, kPairImage);
     uvec2 bits = sample_bits(push.words, push.seed, push.count, pixel, place, kPairImage, kDomainSquare);
-    film += unit_floats(bits) - 0.5;
+    film += kFilter != 0u ? filter_offset(bits) : unit_floats(bits) - 0.5;
   }
   Ray ray;
   ray.origin = push.eye.xyz;
@@ -98,7 +96,8 @@ void main() {
     error = 1.0e-6 * (abs(position) + abs(quadric_row(q, 3u).www));
   }
   if (kInstances != 0u) to_world(hit.instance, position, normal, error);
-  normal = dot(normal, ray.direction) > 0.0 ? -normal : normal;
+  bool front = dot(normal, ray.direction) < 0.0;
+  normal = front ? normal : -normal;
   // Off the surface by the bound of the position's error, and outwards by the rounding of that sum.
   vec3 offset = dot(abs(normal), error) * normal;
   vec3 origin = position + offset;
@@ -107,8 +106,10 @@ void main() {
   bool seen = live && hit.slot != kNoPrimitive && dot(normal, normal) > 0.5;
   if (live) {
     pixel -= floatBitsToUint(push.across.w);
-    surfaces[pixel * 2u] = uvec4(floatBitsToUint(origin), seen ? hit_id(hit) : kNoPrimitive);
-    surfaces[pixel * 2u + 1u] = uvec4(floatBitsToUint(normal), seen ? 1u : 0u);
-    if (kDetails != 0u) write_shading(pixel, slot, hit.weights, normal);
+    // A sphere seen from inside can be met again by a ray that leaves it.
+    bool sphere = kHasQuadrics != 0u && (w0.w & kQuadricBit) != 0u && FETCH(quadric_texels, (w0.w & ~kQuadricBit) * 7u + 6u).x == kQuadricSphere;
+    surfaces[pixel * 2u] = uvec4(floatBitsToUint(origin), seen && !sphere ? hit_id(hit) : kNoPrimitive);
+    surfaces[pixel * 2u + 1u] = uvec4(floatBitsToUint(seen ? normal : ray.direction), seen ? 1u : 0u);
+    if (kDetails != 0u) write_shading(pixel, hit, normal, front, seen);
   }
 }

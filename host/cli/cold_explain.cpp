@@ -25,7 +25,7 @@ class NoShaderCache {
 
 }  // namespace
 
-Explanation cold_explain(const std::string& scene, int width, int height, const AmbientOcclusionJob& job,
+Explanation cold_explain(const std::string& scene, int width, int height, const Job& job,
                          const RendererOptions& options, int repeats) {
   const NoShaderCache cold;
   return explain(scene, width, height, job, options, repeats);

@@ -9,6 +9,7 @@
 #include "base/hash.h"
 #include "base/progress.h"
 #include "cli/cold_explain.h"
+#include "cli/job_options.h"
 #include "cli/profile_table.h"
 #include "cli/verbs.h"
 #include "image/exr_rows.h"
@@ -30,8 +31,8 @@ double seconds_since(Clock::time_point start) {
 }
 
 struct Options {
-  std::string scene, integrator = "ao", output, position = "centre";
-  AmbientOcclusionJob job;
+  std::string scene, output;
+  JobOptions job;
   RendererOptions renderer;
   int width = 0, height = 0;
   bool json = false, quiet = false, profile = false, explain = false;
@@ -41,13 +42,8 @@ struct Options {
 Attributes attributes_of(const Options& o, const RenderResult& result, const Timings& timings,
                          double seconds) {
   Attributes a;
-  a["samplesPerPixel"] = static_cast<int>(o.job.samples);
+  describe(o.job, a);
   a["renderTimeSeconds"] = static_cast<float>(seconds);
-  a["integrator"] = o.integrator;
-  a["sampler"] = o.job.sampler;
-  a["seed"] = static_cast<int>(o.job.seed);
-  a["radius"] = static_cast<float>(o.job.radius);
-  a["pixelSamples"] = o.position;
   a["device"] = result.device;
   a["timings"] = to_json(timings).dump();
   a["software"] = "capcon " + std::string(version());
@@ -73,10 +69,8 @@ struct Outcome {
 
 /// Everything that makes the image what it is.
 std::uint64_t job_key(const Options& o, const Scene& scene, const std::string& device) {
-  return fnv1a64(fmt::format("{} {:016x} {} {} {} {} {} {} {} {} {}", version(), fingerprint(scene),
-                             points_fingerprint(), scene.film.width, scene.film.height, o.integrator,
-                             o.job.sampler, o.job.samples, o.job.seed, o.job.radius,
-                             o.position + " " + device));
+  return fnv1a64(fmt::format("{} {:016x} {} {} {} {} {}", version(), fingerprint(scene), points_fingerprint(),
+                             scene.film.width, scene.film.height, o.job.key(), device));
 }
 
 void merge(const Timings& from, Timings& into) {
@@ -86,12 +80,13 @@ void merge(const Timings& from, Timings& into) {
 
 /// An image too large to be held: rows go to a file beside the output as they come, and from there into the
 /// image. A run that was stopped goes on where it was.
-Outcome render_large(const Options& o, const Scene& scene, Renderer& renderer, Timings timings,
-                     Clock::time_point start) {
+Outcome render_large(const Options& o, const Job& job, const Scene& scene, Renderer& renderer,
+                     Timings timings, Clock::time_point start) {
   const int width = scene.film.width, height = scene.film.height;
   const int rows = std::max(1, static_cast<int>(kBandPixels) / width);
   Outcome outcome{{}, std::move(timings), renderer.device_info()};
-  PartialImage partial(o.output + ".partial", job_key(o, scene, outcome.device.at("name")), width, height, 1);
+  PartialImage partial(o.output + ".partial", job_key(o, scene, outcome.device.at("name")), width, height,
+                       o.job.channels());
   if (partial.row_count() > 0 && !o.quiet) {
     fmt::print(stderr, "capcon: going on from {} of {} rows in {}.partial\n", partial.row_count(), height,
                o.output);
@@ -102,7 +97,7 @@ Outcome render_large(const Options& o, const Scene& scene, Renderer& renderer, T
     progress.update(first);
     if (partial.has(first, count)) continue;
     RenderResult band = renderer.render_rows(
-        o.job, first, count, [&](double fraction) { progress.update(first + fraction * count); });
+        job, first, count, [&](double fraction) { progress.update(first + fraction * count); });
     const auto writing = Clock::now();
     partial.add(first, band.image.pixels);
     merge(band.timings, outcome.timings);
@@ -113,7 +108,7 @@ Outcome render_large(const Options& o, const Scene& scene, Renderer& renderer, T
   }
   const auto writing = Clock::now();
   outcome.result.device = outcome.device.at("name");
-  ExrRows file(o.output, width, height, 1,
+  ExrRows file(o.output, width, height, o.job.channels(),
                attributes_of(o, outcome.result, outcome.timings, seconds_since(start)));
   partial.read([&](std::span<const float> pixels) { file.write(pixels); });
   file.finish();
@@ -133,17 +128,24 @@ void write(const Options& o, Outcome& outcome, Clock::time_point start) {
   outcome.timings.wall["write"] = seconds_since(writing);
 }
 
-Outcome render(const Options& o, Scene& scene, PendingDevice device, Timings timings,
+void say(const Options& o, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    if (!o.quiet) fmt::print(stderr, "capcon: warning: {}\n", warning);
+  }
+}
+
+Outcome render(const Options& o, const Job& job, Scene& scene, PendingDevice device, Timings timings,
                Clock::time_point start) {
   if (o.renderer.device != "reference") {
-    Renderer renderer(scene, o.renderer, std::move(device), &o.job);
+    Renderer renderer(scene, o.renderer, std::move(device), &job);
+    say(o, renderer.warnings());
     merge(renderer.setup(), timings);
     const bool exr = std::filesystem::path(o.output).extension() == ".exr";
     if (exr && std::size_t(scene.film.width) * scene.film.height > kBandPixels) {
-      return render_large(o, scene, renderer, std::move(timings), start);
+      return render_large(o, job, scene, renderer, std::move(timings), start);
     }
     Progress progress("rendering", 1, o.quiet);
-    Outcome outcome{renderer.render(o.job, [&](double fraction) { progress.update(fraction); }),
+    Outcome outcome{renderer.render(job, [&](double fraction) { progress.update(fraction); }),
                     std::move(timings), renderer.device_info()};
     merge(outcome.result.timings, outcome.timings);
     write(o, outcome, start);
@@ -151,7 +153,7 @@ Outcome render(const Options& o, Scene& scene, PendingDevice device, Timings tim
   }
   const Reference reference(scene);
   Progress progress("rendering", 1, o.quiet);
-  Outcome outcome{reference.render(o.job, [&](double fraction) { progress.update(fraction); }),
+  Outcome outcome{reference.render(job, [&](double fraction) { progress.update(fraction); }),
                   std::move(timings),
                   {{"name", "reference"}}};
   merge(reference.setup(), outcome.timings);
@@ -164,28 +166,22 @@ nlohmann::ordered_json report(const Options& o, const Scene& scene, const Outcom
                               double first_dispatch) {
   double traced = 0;
   for (const auto& [stage, s] : outcome.timings.device) traced += s;
-  nlohmann::ordered_json json = {
-      {"output", o.output},
-      {"scene", scene.name},
-      {"integrator", o.integrator},
-      {"width", scene.film.width},
-      {"height", scene.film.height},
-      {"sampler", o.job.sampler},
-      {"samples", o.job.samples},
-      {"seed", o.job.seed},
-      {"radius", std::isinf(o.job.radius) ? nlohmann::json("inf") : nlohmann::json(o.job.radius)},
-      {"pixel_samples", o.position},
-      {"device", outcome.device},
-      {"rays", outcome.result.rays},
-      {"device_seconds", traced},
-      {"seconds", seconds},
-      {"timings", to_json(outcome.timings)}};
+  nlohmann::ordered_json json = {{"output", o.output},
+                                 {"scene", scene.name},
+                                 {"width", scene.film.width},
+                                 {"height", scene.film.height}};
+  describe(o.job, json);
+  json["device"] = outcome.device;
+  json["rays"] = outcome.result.rays;
+  json["device_seconds"] = traced;
+  json["seconds"] = seconds;
+  json["timings"] = to_json(outcome.timings);
   if (first_dispatch > 0) json["first_dispatch_seconds"] = first_dispatch;
   return json;
 }
 
 void run_explain(const Options& o) {
-  const Explanation e = cold_explain(o.scene, o.width, o.height, o.job, o.renderer, 5);
+  const Explanation e = cold_explain(o.scene, o.width, o.height, o.job.job(), o.renderer, 5);
   fmt::print("{}", o.json ? to_json(e).dump(2) + "\n" : to_text(e));
   if (!e.identical)
     throw Failure("the image differs when everything is kept: this is a defect, please report it");
@@ -196,8 +192,7 @@ void run(const Options& o) {
   if (o.width < 0 || o.height < 0 || o.width > 16384 || o.height > 16384) {
     throw InputError("--width and --height must be between 1 and 16384");
   }
-  if (!(o.job.radius > 0)) throw InputError("--radius must be above 0 (or inf)");
-  make_sampler(o.job.sampler, 1, 1);  // an unknown name is said before the work
+  const Job job = o.job.job();
   check(o);
   const bool on_reference = o.renderer.device == "reference";
   if (o.explain) {
@@ -207,15 +202,13 @@ void run(const Options& o) {
   }
   PendingDevice device;
   if (!on_reference) device = open_device(o.renderer);
-  Scene scene = read_scene(o.scene, needed_reading(o.renderer.keep_everything));
+  Scene scene = read_scene(o.scene, needed_reading(job, o.renderer.keep_everything));
   if (o.width > 0) scene.film.width = o.width;
   if (o.height > 0) scene.film.height = o.height;
-  for (const std::string& warning : scene.warnings) {
-    if (!o.quiet) fmt::print(stderr, "capcon: warning: {}\n", warning);
-  }
+  say(o, scene.warnings);
   Timings timings;
   timings.wall["read"] = seconds_since(start);
-  const Outcome outcome = render(o, scene, std::move(device), std::move(timings), start);
+  const Outcome outcome = render(o, job, scene, std::move(device), std::move(timings), start);
   const double seconds = seconds_since(start);
   const double first_dispatch = std::chrono::duration<double>(outcome.result.first_dispatch - start).count();
   if (o.profile && !o.quiet)
@@ -224,7 +217,7 @@ void run(const Options& o) {
     fmt::print("{}\n", report(o, scene, outcome, seconds, first_dispatch).dump(2));
   } else if (!o.quiet) {
     fmt::print(stderr, "{}: {}x{}, {} samples of {} on {}, {:.2f} s in all\n", o.output, scene.film.width,
-               scene.film.height, o.job.samples, o.job.sampler, outcome.result.device, seconds);
+               scene.film.height, o.job.samples_a_pixel(), o.job.sampler, outcome.result.device, seconds);
   }
 }
 
@@ -236,28 +229,13 @@ void add_render_verb(CLI::App& app) {
   verb->footer(
       "Examples:\n"
       "  capcon render scenes/courtyard.pbrt --radius 2 --samples 64 -o courtyard.exr\n"
+      "  capcon render scenes/atelier.pbrt --integrator direct --split 4x16 --pixel-samples jittered -o "
+      "atelier.exr\n"
       "  capcon render scene.pbrt --sampler sobol-owen --device reference -o reference.exr\n"
       "  capcon render scene.pbrt --explain");
   verb->add_option("scene", o->scene, "Scene: .pbrt (v4, v3 or v2 text), .ply or .obj")->required();
   verb->add_option("-o,--output", o->output, "Image to write: .exr (results) or .png (preview)");
-  verb->add_option("--sampler", o->job.sampler,
-                   "Where sample points come from: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain")
-      ->capture_default_str();
-  verb->add_option("--samples", o->job.samples, "Occlusion rays a pixel")
-      ->capture_default_str()
-      ->check(CLI::Range(1u, 1u << 24));
-  verb->add_option("--seed", o->job.seed, "Seed of everything random; the same seed gives the same bits")
-      ->capture_default_str();
-  verb->add_option("--integrator", o->integrator, "ao: ambient occlusion, cosine-weighted")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"ao"}));
-  verb->add_option("--radius", o->job.radius,
-                   "Occluders farther away than this do not count (scene units; default inf)")
-      ->check(CLI::PositiveNumber);
-  verb->add_option("--pixel-samples", o->position,
-                   "centre: all samples at the pixel's centre; jittered: each at its own place")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"centre", "jittered"}));
+  o->job.add_to(*verb);
   verb->add_option(
           "--device", o->renderer.device,
           "best, lavapipe, a number or name of `capcon info`, or reference (double precision on the CPU)")
@@ -286,10 +264,7 @@ void add_render_verb(CLI::App& app) {
                  "Load the Vulkan validation layer; any message is a failure");
   verb->add_flag("--json", o->json, "Print what was done and how long each stage took as JSON on stdout");
   verb->add_flag("--quiet", o->quiet, "No progress bar, no messages");
-  verb->callback([o] {
-    o->job.position = o->position == "jittered" ? PixelPosition::jittered : PixelPosition::centre;
-    run(*o);
-  });
+  verb->callback([o] { run(*o); });
 }
 
 }  // namespace capcon::cli

@@ -21,6 +21,10 @@ glm::vec4 with_word(glm::dvec3 v, std::uint32_t w) {
   return {glm::vec3(v), std::bit_cast<float>(w)};
 }
 
+KernelVariant occlusion_variant(std::uint32_t sampler_id, bool ordered) {
+  return {"occlusion", {{layout::kSpecSampler, sampler_id}, {layout::kSpecOrdered, ordered ? 1 : 0}}};
+}
+
 /// One job under way.
 class Pass {
  public:
@@ -46,9 +50,9 @@ class Pass {
     const std::vector<glm::uvec4> order = jittered ? std::vector<glm::uvec4>() : sample_order(*sampler);
     s_.set_sampler(tables_, order);
     result_.timings.wall["points"] = seconds_since(start);
-    // Rays from pixel centres need no sampler: one kernel serves all.
-    primary_ = &s_.kernel("primary", jittered ? tables_.id : layout::kSamplerRandom, jittered);
-    occlusion_ = &s_.kernel("occlusion", tables_.id, false, !order.empty());
+    if (jittered) s_.set_image_sampler(tables_);
+    primary_ = &s_.kernel(s_.primary_variant(jittered, tables_.id, PixelFilter::box));
+    occlusion_ = &s_.kernel(occlusion_variant(tables_.id, !order.empty()));
     result_.timings.wall["compile"] = s_.kernels.take_compile_seconds();
     result_.first_dispatch = Clock::now();
     for (std::uint32_t done = 0; done < pixels_; done += band_pixels_) {
@@ -161,6 +165,15 @@ class Pass {
 };
 
 }  // namespace
+
+std::vector<KernelVariant> ambient_occlusion_kernels(const RendererState& state,
+                                                     const AmbientOcclusionJob& job) {
+  const bool jittered = job.position == PixelPosition::jittered;
+  const auto sampler = make_sampler(job.sampler, job.samples, job.seed);
+  const std::uint32_t id = sampler->tables({}).id;
+  return {state.primary_variant(jittered, id, PixelFilter::box),
+          occlusion_variant(id, !jittered && !sample_order(*sampler).empty())};
+}
 
 RenderResult render_ambient_occlusion(RendererState& state, const AmbientOcclusionJob& job, int first_row,
                                       int rows, const std::function<void(double)>& on_progress) {

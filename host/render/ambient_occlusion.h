@@ -12,4 +12,8 @@ namespace capcon {
 RenderResult render_ambient_occlusion(RendererState& state, const AmbientOcclusionJob& job, int first_row,
                                       int rows, const std::function<void(double)>& on_progress);
 
+/// The specialisations of its kernels, to be compiled while the tree is built.
+std::vector<KernelVariant> ambient_occlusion_kernels(const RendererState& state,
+                                                     const AmbientOcclusionJob& job);
+
 }  // namespace capcon

@@ -56,22 +56,22 @@ std::vector<FeatureRow> feature_rows(const Scene& scene, const Features& needed)
     return count == 0 ? fmt::format("no {}", many) : fmt::format("{} {}", count, count == 1 ? one : many);
   };
   return {
-      {"normals", named(c.normals, "vertex with a normal", "vertices with normals"), needed.details,
+      {"normals", named(c.normals, "vertex with a normal", "vertices with normals"), needed.shading,
        fmt::format("{} not kept, not uploaded", megabytes(12 * c.normals))},
-      {"uvs", named(c.uvs, "vertex with uv", "vertices with uvs"), needed.details,
+      {"uvs", named(c.uvs, "vertex with uv", "vertices with uvs"), needed.shading,
        fmt::format("{} not kept, not uploaded", megabytes(8 * c.uvs))},
-      {"materials", named(scene.materials.size(), "material", "materials"), needed.details,
+      {"materials", named(scene.materials.size(), "material", "materials"), needed.shading,
        "not uploaded, no shading kernel code"},
       {"textures",
        fmt::format("{}, {}", named(scene.textures.size(), "texture", "textures"),
                    named(c.texture_images, "image file found", "image files found")),
-       needed.images, "no file opened, nothing uploaded"},
-      {"environment", named(c.environments, "environment map", "environment maps"), needed.images,
+       needed.shading, "no file opened, nothing uploaded"},
+      {"environment", named(c.environments, "environment map", "environment maps"), needed.shading,
        fmt::format("no file opened; with textures {} not read, not uploaded", megabytes(c.image_bytes))},
       {"lights",
        fmt::format("{}, {}", named(scene.lights.size(), "light", "lights"),
                    named(scene.area_lights.size(), "area light", "area lights")),
-       false, "not uploaded"},
+       needed.shading, "not uploaded"},
       {"spheres and disks", needed.quadrics ? "some" : "none", needed.quadrics,
        "their test compiled out of every walk"},
       {"instances", named(scene.instances.size(), "instance", "instances"), needed.two_level,
@@ -99,8 +99,7 @@ struct Contender {
   std::vector<double> seconds;
   std::vector<float> pixels;
 
-  Contender(const Scene& scene, RendererOptions options, bool keep_everything,
-            const AmbientOcclusionJob& job) {
+  Contender(const Scene& scene, RendererOptions options, bool keep_everything, const Job& job) {
     options.keep_everything = keep_everything;
     renderer = std::make_unique<Renderer>(scene, options, open_device(options), &job);
     const auto& wall = renderer->setup().wall;
@@ -112,7 +111,7 @@ struct Contender {
     }
   }
 
-  void run(const AmbientOcclusionJob& job) {
+  void run(const Job& job) {
     RenderResult result = renderer->render(job);
     if (pixels.empty()) cost.compile_seconds = result.timings.wall.at("compile");
     seconds.push_back(device_seconds(result));
@@ -128,9 +127,9 @@ nlohmann::ordered_json to_json(const Cost& c) {
           {"device_bytes", c.device_bytes}};
 }
 
-Scene read(const std::string& path, int width, int height, bool everything, double& seconds) {
+Scene read(const std::string& path, int width, int height, const Job& job, bool everything, double& seconds) {
   const auto start = Clock::now();
-  Scene scene = read_scene(path, needed_reading(everything));
+  Scene scene = read_scene(path, needed_reading(job, everything));
   seconds = seconds_since(start);
   if (width > 0) scene.film.width = width;
   if (height > 0) scene.film.height = height;
@@ -139,13 +138,13 @@ Scene read(const std::string& path, int width, int height, bool everything, doub
 
 }  // namespace
 
-Explanation explain(const std::string& scene_path, int width, int height, const AmbientOcclusionJob& job,
+Explanation explain(const std::string& scene_path, int width, int height, const Job& job,
                     const RendererOptions& options, int repeats) {
   Explanation e;
   e.repeats = repeats;
   double read_needed = 0, read_everything = 0;
-  const Scene lean = read(scene_path, width, height, false, read_needed);
-  const Scene whole = read(scene_path, width, height, true, read_everything);
+  const Scene lean = read(scene_path, width, height, job, false, read_needed);
+  const Scene whole = read(scene_path, width, height, job, true, read_everything);
   Contender needed(lean, options, false, job), everything(whole, options, true, job);
   for (int r = 0; r < repeats; ++r) {
     needed.run(job);

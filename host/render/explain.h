@@ -38,7 +38,7 @@ struct Explanation {
 
 /// Renders the scene both ways, interleaved, `repeats` times, and compares. The film is the scene's unless
 /// width and height are above 0.
-Explanation explain(const std::string& scene_path, int width, int height, const AmbientOcclusionJob& job,
+Explanation explain(const std::string& scene_path, int width, int height, const Job& job,
                     const RendererOptions& options, int repeats = 5);
 
 nlohmann::ordered_json to_json(const Explanation& explanation);

@@ -11,22 +11,25 @@ bool has_quadric(const std::vector<Shape>& shapes) {
 
 }  // namespace
 
-Features needed_features(const Scene& scene, const AmbientOcclusionJob* job, const std::string& instancing) {
+Features needed_features(const Scene& scene, const Job* job, const std::string& instancing) {
   Features f;
   f.quadrics = has_quadric(scene.shapes) ||
                std::any_of(scene.instances.begin(), scene.instances.end(),
                            [&](const Instance& i) { return has_quadric(scene.objects[i.object].shapes); });
   f.two_level = wants_two_levels(scene, instancing);
-  f.jittered = job && job->position == PixelPosition::jittered;
+  if (!job) return f;
+  f.jittered = std::visit([](const auto& j) { return j.position == PixelPosition::jittered; }, *job);
+  f.shading = std::holds_alternative<DirectLightingJob>(*job);
   return f;
 }
 
 Features all_features(const Scene&, const std::string&) {
-  return {true, true, true, true, true};
+  return {true, true, true, true};
 }
 
-ReadOptions needed_reading(bool keep_everything) {
-  return {keep_everything, keep_everything, keep_everything};
+ReadOptions needed_reading(const Job& job, bool keep_everything) {
+  const bool all = keep_everything || std::holds_alternative<DirectLightingJob>(job);
+  return {all, all, all};
 }
 
 bool wants_two_levels(const Scene& scene, const std::string& instancing) {
@@ -37,11 +40,16 @@ bool wants_two_levels(const Scene& scene, const std::string& instancing) {
   return all > kSmall && all >= 2 * scene.unique_triangles();
 }
 
-bool wants_best_tree(const Scene& scene, bool keep_instances, const AmbientOcclusionJob* job,
-                     const std::string& tree) {
+bool wants_best_tree(const Scene& scene, bool keep_instances, const Job* job, const std::string& tree) {
   if (tree != "auto" || !job) return tree != "fast";
   constexpr double kRaysATriangle = 60;
-  const double rays = double(scene.film.width) * scene.film.height * job->samples;
+  double samples = 0;
+  if (const auto* direct = std::get_if<DirectLightingJob>(job)) {
+    samples = 2.0 * direct->samples();  // a light's and the BSDF's
+  } else {
+    samples = std::get<AmbientOcclusionJob>(*job).samples;
+  }
+  const double rays = double(scene.film.width) * scene.film.height * samples;
   const std::uint64_t triangles = keep_instances ? scene.unique_triangles() : scene.instanced_triangles();
   return rays >= kRaysATriangle * static_cast<double>(triangles);
 }

@@ -134,13 +134,14 @@ void append(const GeometryTree& tree, Base base, Geometry& geometry) {
   }
   std::copy(tree.primitives.begin(), tree.primitives.end(),
             geometry.primitives.begin() + 3 * std::ptrdiff_t(base.slot));
+  const std::size_t stride = tree.primitives.empty() ? 0 : 3 * tree.details.size() / tree.primitives.size();
   std::copy(tree.details.begin(), tree.details.end(),
-            geometry.details.begin() + (tree.details.empty() ? 0 : 3 * std::ptrdiff_t(base.slot)));
+            geometry.details.begin() + std::ptrdiff_t(stride * base.slot));
 }
 
 /// The tree of instances, with the trees below it.
 void assemble(const Scene& scene, const Census& census, const std::vector<GeometryTree>& trees,
-              Geometry& geometry) {
+              std::uint32_t detail_texels, Geometry& geometry) {
   struct Member {
     std::size_t tree;
     glm::dmat4 to_world;
@@ -169,10 +170,7 @@ void assemble(const Scene& scene, const Census& census, const std::vector<Geomet
   }
   geometry.bvh.texels.resize(4 * nodes);
   geometry.primitives.resize(3 * slots);
-  if (!trees.back().details.empty() ||
-      std::any_of(trees.begin(), trees.end(), [](auto& t) { return !t.details.empty(); })) {
-    geometry.details.resize(3 * slots);
-  }
+  geometry.details.resize(detail_texels * slots);
   for (std::size_t t = 0; t < trees.size(); ++t) append(trees[t], bases[t], geometry);
   geometry.bvh.stack_entries += deepest + 1;  // one marks where the object's tree ends
 
@@ -198,7 +196,7 @@ Geometry build_geometry(const Scene& scene, const GeometryOptions& options) {
   Geometry geometry;
   if (options.two_level) {
     const std::vector<GeometryTree> trees = build_trees(scene, census, options, geometry.quadrics);
-    assemble(scene, census, trees, geometry);
+    assemble(scene, census, trees, options.details.texels(), geometry);
   } else {
     GeometryTree tree = build_tree(scene, census.world, options, geometry.quadrics);
     geometry.bvh = std::move(tree.bvh);

@@ -23,19 +23,31 @@ struct Geometry {
   std::vector<glm::uvec4> primitives;
   std::vector<glm::uvec4> quadrics;
   std::vector<glm::uvec4> instances;  ///< empty: one level
-  /// Three texels a slot, if asked for: octahedral normals of the vertices (16 bits a coordinate) and
-  /// material; uvs of vertices 0 and 1; uv of vertex 2, area light, 0.
+  /// What shading needs of a slot, if asked for: a texel (light word, z of normal 2, 0, material), with
+  /// normals two more (normals 0 and 1, each with one of x and y of normal 2; zeros where a mesh has none),
+  /// with uvs two more (uvs 0 and 1; uv 2).
   std::vector<glm::uvec4> details;
   std::uint64_t triangle_count = 0;  ///< those of instances counted for each
   std::uint64_t quadric_count = 0;
   std::size_t instance_count() const { return instances.size() / 8; }
 };
 
+/// What details hold.
+struct DetailOptions {
+  bool wanted = false;
+  bool normals = false, uvs = false;
+  /// For each of Scene::shapes: empty (no light), one light word for all its primitives, or one for each:
+  /// index of the light, with layout::kLightTurned where it shines against the order of the vertices.
+  std::vector<std::vector<std::uint32_t>> light_words = {};
+  std::uint32_t default_material = 0;  ///< of shapes without one
+  std::uint32_t texels() const { return wanted ? 1 + (normals ? 2 : 0) + (uvs ? 2 : 0) : 0; }
+};
+
 struct GeometryOptions {
   bool two_level = false;  ///< a tree of instances above those of the objects
   bool keep_instances =
       false;  ///< with two levels: whether instances stay instances, or are written out into the world's tree
-  bool details = false;
+  DetailOptions details = {};
   bool cut = true;  ///< primitives where that makes a better tree (wants_best_tree())
 };
 

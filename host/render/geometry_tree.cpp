@@ -1,5 +1,6 @@
 #include "render/geometry_tree.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -46,36 +47,49 @@ void add_quadric(const Placed& placed, std::vector<glm::uvec4>& quadrics, Box& b
   }
 }
 
-/// Octahedral normal (Cigolle et al., JCGT 3(2), 2014), 16 bits a coordinate; 0 for none.
-std::uint32_t pack_normal(glm::dvec3 n) {
-  const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-  if (!(sum > 0)) return 0;
-  glm::dvec2 o(n.x / sum, n.y / sum);
-  if (n.z < 0) o = {std::copysign(1 - std::abs(n.y) / sum, n.x), std::copysign(1 - std::abs(n.x) / sum, n.y)};
-  const auto word = [](double v) {
-    return static_cast<std::uint32_t>(std::lround((v * 0.5 + 0.5) * 65534) + 1);
-  };
-  return word(o.x) | word(o.y) << 16;
+/// The shape's place in Scene::shapes, or -1 for a shape of an object.
+std::ptrdiff_t index_in_world(const Scene& scene, const Shape* shape) {
+  const Shape* first = scene.shapes.data();
+  return shape >= first && shape < first + scene.shapes.size() ? shape - first : -1;
 }
 
-/// What shading needs of a primitive.
-void write_details(const Scene& scene, const Placed& placed, std::size_t triangle, glm::uvec4* out) {
+/// What shading needs of a primitive, see Geometry::details.
+void write_details(const Scene& scene, const Placed& placed, const DetailOptions& options,
+                   std::size_t triangle, glm::uvec4* out) {
   const Shape& shape = *placed.shape;
-  out[0] = glm::uvec4(0, 0, 0, static_cast<std::uint32_t>(shape.material));
-  out[1] = glm::uvec4(0);
-  out[2] = glm::uvec4(0, 0, static_cast<std::uint32_t>(shape.area_light), 0);
+  std::uint32_t light = layout::kNoLight;
+  const std::ptrdiff_t at = options.light_words.empty() ? -1 : index_in_world(scene, &shape);
+  if (at >= 0 && !options.light_words[at].empty()) {
+    const auto& words = options.light_words[at];
+    light = words.size() == 1 ? words[0] : words[triangle];
+  }
+  const std::uint32_t material =
+      shape.material < 0 ? options.default_material : static_cast<std::uint32_t>(shape.material);
+  std::fill(out, out + options.texels(), glm::uvec4(0));
+  out[0] = glm::uvec4(light, 0, 0, material);
   if (shape.kind != ShapeKind::mesh) return;
   const TriangleMesh& mesh = scene.meshes[shape.mesh];
   const glm::uvec3 corners = mesh.triangles[triangle];
-  if (!mesh.normals.empty()) {
+  if (options.normals && !mesh.normals.empty()) {
     const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(placed.to_tree)));
-    for (int k = 0; k < 3; ++k) out[0][k] = pack_normal(turn * glm::dvec3(mesh.normals[corners[k]]));
+    glm::vec3 n[3];
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec3 v = turn * glm::dvec3(mesh.normals[corners[k]]);
+      n[k] = glm::length(v) > 0 ? glm::normalize(v) : glm::dvec3(0);
+    }
+    out[0].y = std::bit_cast<std::uint32_t>(n[2].z);
+    out[1] = bits(n[0], std::bit_cast<std::uint32_t>(n[2].x));
+    out[2] = bits(n[1], std::bit_cast<std::uint32_t>(n[2].y));
   }
-  if (!mesh.uvs.empty()) {
-    const auto uv = [&](int k, int c) { return std::bit_cast<std::uint32_t>(mesh.uvs[corners[k]][c]); };
-    out[1] = {uv(0, 0), uv(0, 1), uv(1, 0), uv(1, 1)};
-    out[2].x = uv(2, 0);
-    out[2].y = uv(2, 1);
+  if (options.uvs) {
+    constexpr float kDefault[3][2] = {{0, 0}, {1, 0}, {1, 1}};  // pbrt's, of triangles without
+    glm::uvec4* uvs = out + (options.normals ? 3 : 1);
+    for (int k = 0; k < 3; ++k) {
+      for (int c = 0; c < 2; ++c) {
+        uvs[k / 2][2 * (k % 2) + c] =
+            std::bit_cast<std::uint32_t>(mesh.uvs.empty() ? kDefault[k][c] : mesh.uvs[corners[k]][c]);
+      }
+    }
   }
 }
 
@@ -113,13 +127,14 @@ GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, cons
   GeometryTree tree;
   if (count == 0) return tree;
   std::vector<Box> boxes(count);
-  std::vector<glm::uvec4> primitives(3 * count), unsorted(options.details ? 3 * count : 0);
+  const std::size_t stride = options.details.texels();
+  std::vector<glm::uvec4> primitives(3 * count), unsorted(stride * count);
   for (std::size_t s = 0; s < placed.size(); ++s) {
     if (placed[s].shape->kind == ShapeKind::mesh) continue;
     const auto id = layout::kQuadricBit | static_cast<std::uint32_t>(quadrics.size() / 7);
     add_quadric(placed[s], quadrics, boxes[first[s]]);
     primitives[3 * first[s]] = glm::uvec4(0, 0, 0, id);
-    if (options.details) write_details(scene, placed[s], 0, &unsorted[3 * first[s]]);
+    if (stride > 0) write_details(scene, placed[s], options.details, 0, &unsorted[stride * first[s]]);
   }
   parallel_for(placed.size(), [&](std::size_t s) {
     const Placed& p = placed[s];
@@ -132,7 +147,7 @@ GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, cons
         boxes[at].add(glm::dvec3(v));
         primitives[3 * at + corner] = bits(v, corner == 0 ? p.first_id + static_cast<std::uint32_t>(t) : 0);
       }
-      if (options.details) write_details(scene, p, t, &unsorted[3 * at]);
+      if (stride > 0) write_details(scene, p, options.details, t, &unsorted[stride * at]);
     }
   });
   {
@@ -144,13 +159,14 @@ GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, cons
   }
   const std::size_t slots = tree.bvh.order.size();
   tree.primitives.resize(3 * slots);
-  tree.details.resize(options.details ? 3 * slots : 0);
+  tree.details.resize(stride * slots);
   parallel_for(
       slots,
       [&](std::size_t slot) {
-        const std::size_t from = 3 * std::size_t(tree.bvh.order[slot]);
-        for (int k = 0; k < 3; ++k) tree.primitives[3 * slot + k] = primitives[from + k];
-        for (int k = 0; options.details && k < 3; ++k) tree.details[3 * slot + k] = unsorted[from + k];
+        const std::size_t from = tree.bvh.order[slot];
+        for (int k = 0; k < 3; ++k) tree.primitives[3 * slot + k] = primitives[3 * from + k];
+        for (std::size_t k = 0; k < stride; ++k)
+          tree.details[stride * slot + k] = unsorted[stride * from + k];
       },
       1 << 14);
   return tree;

@@ -6,6 +6,12 @@
 #include <vector>
 
 #include "layout.h"
+#include "spirv/bsdf_samples_storage.h"
+#include "spirv/bsdf_samples_texel.h"
+#include "spirv/emission_storage.h"
+#include "spirv/emission_texel.h"
+#include "spirv/light_samples_storage.h"
+#include "spirv/light_samples_texel.h"
 #include "spirv/occlusion_storage.h"
 #include "spirv/occlusion_texel.h"
 #include "spirv/points_storage.h"
@@ -14,6 +20,8 @@
 #include "spirv/primary_texel.h"
 #include "spirv/rays_storage.h"
 #include "spirv/rays_texel.h"
+#include "spirv/resolve_storage.h"
+#include "spirv/resolve_texel.h"
 
 namespace capcon {
 namespace {
@@ -28,13 +36,20 @@ struct Description {
   std::uint32_t push_bytes;
 };
 
+/// Of the kernels that shade.
+std::vector<std::uint32_t> shading_bindings() {
+  using namespace layout;
+  return {kBindNodes,   kBindPrimitives, kBindQuadrics,  kBindInstances, kBindSampler, kBindSurfaces,
+          kBindShading, kBindDetails,    kBindMaterials, kBindTextures,  kBindLights,  kBindEnvironment};
+}
+
 const std::map<std::string, Description>& descriptions() {
   using namespace layout;
   static const std::map<std::string, Description> all = {
       {"primary",
        {k_primary_texel_spirv,
         k_primary_storage_spirv,
-        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindInstances, kBindSampler, kBindDetails},
+        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindInstances, kBindSampler, kBindDetails, kBindFilter},
         {kBindSurfaces, kBindShading},
         sizeof(PrimaryConstants)}},
       {"occlusion",
@@ -43,6 +58,30 @@ const std::map<std::string, Description>& descriptions() {
         {kBindNodes, kBindPrimitives, kBindQuadrics, kBindInstances, kBindSampler, kBindSurfaces, kBindOrder},
         {kBindCounts},
         sizeof(OcclusionConstants)}},
+      {"light_samples",
+       {k_light_samples_texel_spirv,
+        k_light_samples_storage_spirv,
+        shading_bindings(),
+        {kBindSamples},
+        sizeof(DirectConstants)}},
+      {"bsdf_samples",
+       {k_bsdf_samples_texel_spirv,
+        k_bsdf_samples_storage_spirv,
+        shading_bindings(),
+        {kBindSamples},
+        sizeof(DirectConstants)}},
+      {"resolve",
+       {k_resolve_texel_spirv,
+        k_resolve_storage_spirv,
+        {kBindSamples},
+        {kBindSums},
+        sizeof(ResolveConstants)}},
+      {"emission",
+       {k_emission_texel_spirv,
+        k_emission_storage_spirv,
+        {kBindSurfaces, kBindShading, kBindLights, kBindEnvironment, kBindQuadrics},
+        {kBindSums},
+        sizeof(EmissionConstants)}},
       {"rays",
        {k_rays_texel_spirv,
         k_rays_storage_spirv,

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "render/ambient_occlusion.h"
+#include "render/direct_lighting.h"
 #include "render/renderer_state.h"
 #include "render/sample_points.h"
 
@@ -14,20 +15,24 @@ namespace capcon {
 Renderer::Renderer(const Scene& scene, const RendererOptions& options)
     : Renderer(scene, options, open_device(options), nullptr) {}
 
-Renderer::Renderer(const Scene& scene, const RendererOptions& options, PendingDevice device,
-                   const AmbientOcclusionJob* first)
+Renderer::Renderer(const Scene& scene, const RendererOptions& options, PendingDevice device, const Job* first)
     : state_(std::make_unique<RendererState>(scene, options, device.get(), first)) {}
 
 Renderer::~Renderer() = default;
 
-RenderResult Renderer::render(const AmbientOcclusionJob& job,
-                              const std::function<void(double)>& on_progress) {
+RenderResult Renderer::render(const Job& job, const std::function<void(double)>& on_progress) {
   return render_rows(job, 0, state_->film.height, on_progress);
 }
 
-RenderResult Renderer::render_rows(const AmbientOcclusionJob& job, int first_row, int rows,
+RenderResult Renderer::render_rows(const Job& job, int first_row, int rows,
                                    const std::function<void(double)>& on_progress) {
-  RenderResult result = render_ambient_occlusion(*state_, job, first_row, rows, on_progress);
+  RenderResult result;
+  if (const auto* direct = std::get_if<DirectLightingJob>(&job)) {
+    result = render_direct_lighting(*state_, *direct, first_row, rows, on_progress);
+  } else {
+    result =
+        render_ambient_occlusion(*state_, std::get<AmbientOcclusionJob>(job), first_row, rows, on_progress);
+  }
   const int messages = state_->context->instance.message_count();
   if (messages > 0) throw Failure(fmt::format("the validation layer gave {} messages (above)", messages));
   return result;
@@ -51,6 +56,10 @@ nlohmann::json Renderer::device_info() const {
           {"buffer_bytes", state_->buffer_bytes()},
           {"nodes", state_->node_count},
           {"stack_entries", state_->scene_constants.at(layout::kSpecStackSize)}};
+}
+
+const std::vector<std::string>& Renderer::warnings() const {
+  return state_->warnings;
 }
 
 const Timings& Renderer::setup() const {

@@ -21,16 +21,15 @@ class Renderer {
   Renderer(const Scene& scene, const RendererOptions& options);
   /// The same on a device that is being opened already. The kernels of `first`, the job to come, are compiled
   /// while the tree is built.
-  Renderer(const Scene& scene, const RendererOptions& options, PendingDevice device,
-           const AmbientOcclusionJob* first);
+  Renderer(const Scene& scene, const RendererOptions& options, PendingDevice device, const Job* first);
   ~Renderer();
 
   /// `on_progress(fraction)` is called between batches. Same job, same device: same bits.
-  RenderResult render(const AmbientOcclusionJob& job, const std::function<void(double)>& on_progress = {});
+  RenderResult render(const Job& job, const std::function<void(double)>& on_progress = {});
 
   /// Rows first_row ... first_row + rows - 1 alone, the same bits as in the whole image: for images that are
   /// written as they come. Any number of rows; the device holds at most 2^21 pixels at a time.
-  RenderResult render_rows(const AmbientOcclusionJob& job, int first_row, int rows,
+  RenderResult render_rows(const Job& job, int first_row, int rows,
                            const std::function<void(double)>& on_progress = {});
 
   /// The device's own points of `sampler` for pixels 0 ... pixels - 1, `sampler.count()` each: for tests
@@ -43,6 +42,10 @@ class Renderer {
 
   /// Name, driver, Vulkan version, fetch variant, as JSON for reports.
   nlohmann::json device_info() const;
+  /// What of the scene's materials and lights is only approximated, a sentence each; empty for ambient
+  /// occlusion.
+  const std::vector<std::string>& warnings() const;
+
   /// Seconds spent in the constructor, by stage (device, build, upload); compiling beside them is told by the
   /// first render.
   const Timings& setup() const;

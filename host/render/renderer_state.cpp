@@ -7,8 +7,10 @@
 #include <future>
 
 #include "base/error.h"
+#include "render/ambient_occlusion.h"
+#include "render/direct_lighting.h"
+#include "render/filter_table.h"
 #include "render/geometry.h"
-#include "render/sample_order.h"
 
 namespace capcon {
 namespace {
@@ -44,19 +46,10 @@ void check_size(const Scene& scene, bool two_level, const gpu::DeviceDescription
                   two_level ? "try a smaller scene or another --device" : "try --instancing two-level"));
 }
 
-/// The images of a scene, one after the other, for a buffer.
-std::vector<float> image_words(const Scene& scene) {
-  std::vector<float> words;
-  for (const SceneImage& image : scene.images)
-    words.insert(words.end(), image.image.pixels.begin(), image.image.pixels.end());
-  words.resize((words.size() + 3) / 4 * 4);
-  return words;
-}
-
 }  // namespace
 
 RendererState::RendererState(const Scene& scene, const RendererOptions& options,
-                             std::unique_ptr<DeviceContext> opened, const AmbientOcclusionJob* first)
+                             std::unique_ptr<DeviceContext> opened, const Job* first)
     : context(std::move(opened)),
       description(context->description),
       device(context->device),
@@ -65,13 +58,22 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
                                        : needed_features(scene, first, options.instancing)),
       film(scene.film),
       view(make_view(scene.camera, scene.film.width, scene.film.height)) {
+  features.shading = features.shading || options.shading;
   scene_constants[layout::kSpecQuadrics] = features.quadrics ? 1 : 0;
   scene_constants[layout::kSpecInstances] = features.two_level ? 1 : 0;
-  scene_constants[layout::kSpecDetails] = features.details ? 1 : 0;
+  scene_constants[layout::kSpecDetails] = features.shading ? 1 : 0;
   scene_constants[layout::kSpecStackSize] = stack_array(0);
   setup.wall["device"] = context->open_seconds;
   check_size(scene, wants_two_levels(scene, options.instancing), description);
   auto start = Clock::now();
+  DetailOptions details;
+  if (features.shading) {
+    const ShadingData data = make_shading_data(scene, options.keep_everything);
+    details = data.details;
+    upload_shading(data);
+    setup.wall["shading"] = seconds_since(start);
+    start = Clock::now();
+  }
   std::future<void> compiling;
   if (first) compiling = std::async(std::launch::async, [&] { compile_for(*first); });
   // With everything kept the code of both levels is there, and the image stays the same: instances are
@@ -81,7 +83,7 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
     const bool keep_instances = wants_two_levels(scene, options.instancing);
     geometry = build_geometry(scene, {.two_level = features.two_level,
                                       .keep_instances = keep_instances,
-                                      .details = features.details,
+                                      .details = details,
                                       .cut = wants_best_tree(scene, keep_instances, first, options.tree)});
   } catch (...) {
     if (compiling.valid()) compiling.wait();
@@ -95,11 +97,11 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
   if (options.fetch == "auto" && !fits(description, largest, kernels.texel_fetch())) {
     kernels.set_texel_fetch(fits(description, largest, true));
   }
-  upload(scene, geometry);
+  upload(geometry);
   setup.wall["upload"] = seconds_since(start);
 }
 
-void RendererState::upload(const Scene& scene, const Geometry& geometry) {
+void RendererState::upload(const Geometry& geometry) {
   triangle_count = geometry.triangle_count;
   quadric_count = geometry.quadric_count;
   instance_count = geometry.instance_count();
@@ -109,66 +111,110 @@ void RendererState::upload(const Scene& scene, const Geometry& geometry) {
   quadrics = gpu::make_buffer<glm::uvec4>(device, geometry.quadrics);
   instances = gpu::make_buffer<glm::uvec4>(device, geometry.instances);
   details = gpu::make_buffer<glm::uvec4>(device, geometry.details);
-  images = gpu::make_buffer<float>(device, features.images ? image_words(scene) : std::vector<float>());
   band_pixels = std::min(kBandPixels, std::size_t(film.width) * film.height);
   surfaces = gpu::Buffer(device, 32 * band_pixels, gpu::Memory::device);
-  shading = gpu::Buffer(device, features.details ? 32 * band_pixels : 16, gpu::Memory::device);
+  shading = gpu::Buffer(device, features.shading ? 32 * band_pixels : 16, gpu::Memory::device);
   counts = gpu::Buffer(device, 4 * band_pixels, gpu::Memory::host);
   sampler_table = gpu::Buffer(device, 16, gpu::Memory::device);
+  image_table = gpu::Buffer(device, 16, gpu::Memory::device);
   order = gpu::Buffer(device, 16, gpu::Memory::device);
+  for (gpu::Buffer* late : {&samples, &sums, &filter}) *late = gpu::Buffer(device, 16, gpu::Memory::device);
+  if (!features.shading) {
+    for (gpu::Buffer* none : {&materials, &textures, &lights, &environments})
+      *none = gpu::Buffer(device, 16, gpu::Memory::device);
+  }
   tree.grid_origin = glm::vec4(glm::vec3(geometry.bvh.grid_origin), 0);
   tree.grid_scale = glm::vec4(glm::vec3(geometry.bvh.grid_scale), 0);
 }
 
-void RendererState::compile_for(const AmbientOcclusionJob& job) {
-  const bool jittered = job.position == PixelPosition::jittered;
-  const auto sampler = make_sampler(job.sampler, job.samples, job.seed);
-  const std::uint32_t id = sampler->tables({}).id;
-  kernels.prepare("primary", constants(jittered ? id : layout::kSamplerRandom, jittered, false));
-  kernels.prepare("occlusion", constants(id, false, !jittered && !sample_order(*sampler).empty()));
+void RendererState::upload_shading(const ShadingData& data) {
+  warnings = data.warnings;
+  light_list = {data.lights.kinds, data.lights.area_lights};
+  materials = gpu::make_buffer<glm::uvec4>(device, data.materials.materials);
+  textures = gpu::make_buffer<glm::uvec4>(device, data.materials.textures);
+  lights = gpu::make_buffer<glm::uvec4>(device, data.lights.lights);
+  environments = gpu::make_buffer<glm::uvec4>(device, data.lights.environments);
+  scene_constants[layout::kSpecMaterials] = data.materials.kinds;
+  scene_constants[layout::kSpecLightKinds] = data.lights.kind_bits();
+  scene_constants[layout::kSpecOctahedral] = data.lights.octahedral ? 1 : 0;
+  scene_constants[layout::kSpecDetailNormals] = data.details.normals ? 1 : 0;
+  scene_constants[layout::kSpecDetailUvs] = data.details.uvs ? 1 : 0;
 }
 
-void RendererState::bind_all(gpu::Kernel& kernel) const {
+void RendererState::compile_for(const Job& job) {
+  const auto variants = std::holds_alternative<DirectLightingJob>(job)
+                            ? direct_lighting_kernels(*this, std::get<DirectLightingJob>(job))
+                            : ambient_occlusion_kernels(*this, std::get<AmbientOcclusionJob>(job));
+  for (const KernelVariant& variant : variants) kernels.prepare(variant.name, constants(variant));
+}
+
+void RendererState::bind_all(gpu::Kernel& kernel, bool primary) const {
   kernel.bind(layout::kBindNodes, nodes);
   kernel.bind(layout::kBindPrimitives, primitives);
   kernel.bind(layout::kBindQuadrics, quadrics);
   kernel.bind(layout::kBindInstances, instances);
   kernel.bind(layout::kBindDetails, details);
-  kernel.bind(layout::kBindSampler, sampler_table);
+  kernel.bind(layout::kBindSampler, primary ? image_table : sampler_table);
   kernel.bind(layout::kBindOrder, order);
   kernel.bind(layout::kBindSurfaces, surfaces);
   kernel.bind(layout::kBindShading, shading);
   kernel.bind(layout::kBindCounts, counts);
   kernel.bind(layout::kBindPoints, counts);  // until its reader binds its own
+  kernel.bind(layout::kBindMaterials, materials);
+  kernel.bind(layout::kBindTextures, textures);
+  kernel.bind(layout::kBindLights, lights);
+  kernel.bind(layout::kBindEnvironment, environments);
+  kernel.bind(layout::kBindSamples, samples);
+  kernel.bind(layout::kBindSums, sums);
+  kernel.bind(layout::kBindFilter, filter);
 }
 
-void RendererState::grow(gpu::Buffer& buffer, std::uint32_t binding, const std::vector<glm::uvec4>& texels) {
+void RendererState::grow(gpu::Buffer& buffer, const std::vector<glm::uvec4>& texels) {
   const std::size_t bytes = 16 * texels.size();
   if (bytes > buffer.bytes()) {
     buffer = gpu::Buffer(device, bytes, gpu::Memory::device);
-    for (gpu::Kernel* kernel : bound_) kernel->bind(binding, buffer);
+    for (const Bound& b : bound_) bind_all(*b.kernel, b.primary);
   }
   buffer.upload(texels.data(), bytes);
 }
 
 void RendererState::set_sampler(const SamplerTables& tables, const std::vector<glm::uvec4>& sample_order) {
-  grow(sampler_table, layout::kBindSampler, tables.texels);
-  grow(order, layout::kBindOrder, sample_order);
+  grow(sampler_table, tables.texels);
+  grow(order, sample_order);
 }
 
-Constants RendererState::constants(std::uint32_t sampler_id, bool jittered, bool ordered) const {
+void RendererState::set_image_sampler(const SamplerTables& tables) {
+  grow(image_table, tables.texels);
+}
+
+void RendererState::need_samples(std::size_t lanes) {
+  if (samples.bytes() >= 16 * lanes && sums.bytes() >= 32 * band_pixels) return;
+  samples = gpu::Buffer(device, 16 * lanes, gpu::Memory::device);
+  sums = gpu::Buffer(device, 32 * band_pixels, gpu::Memory::device);
+  filter = gpu::make_buffer<glm::uvec4>(device, gaussian_filter_table());
+  for (const Bound& b : bound_) bind_all(*b.kernel, b.primary);
+}
+
+Constants RendererState::constants(const KernelVariant& variant) const {
   Constants all = scene_constants;
-  all[layout::kSpecSampler] = sampler_id;
-  all[layout::kSpecJittered] = jittered || features.jittered ? 1 : 0;
-  all[layout::kSpecOrdered] = ordered ? 1 : 0;
+  for (const auto& [id, value] : variant.constants) all[id] = value;
   return all;
 }
 
-gpu::Kernel& RendererState::kernel(const std::string& name, std::uint32_t sampler_id, bool jittered,
-                                   bool ordered) {
-  return kernels.get(name, constants(sampler_id, jittered, ordered), [&](gpu::Kernel& kernel) {
-    bind_all(kernel);
-    bound_.push_back(&kernel);
+KernelVariant RendererState::primary_variant(bool jittered, std::uint32_t sampler_id,
+                                             PixelFilter filter_kind) const {
+  // Rays from pixel centres need no sampler: one kernel serves all.
+  return {"primary",
+          {{layout::kSpecSampler, jittered ? sampler_id : layout::kSamplerRandom},
+           {layout::kSpecJittered, jittered || features.jittered ? 1 : 0},
+           {layout::kSpecFilter, jittered && filter_kind == PixelFilter::gaussian ? 1 : 0}}};
+}
+
+gpu::Kernel& RendererState::kernel(const KernelVariant& variant) {
+  return kernels.get(variant.name, constants(variant), [&](gpu::Kernel& kernel) {
+    const bool primary = variant.name == "primary";
+    bind_all(kernel, primary);
+    bound_.push_back({&kernel, primary});
   });
 }
 
@@ -178,7 +224,11 @@ std::map<std::string, std::size_t> RendererState::buffer_bytes() const {
           {"spheres and disks", quadrics.bytes()},
           {"instances", instances.bytes()},
           {"details", details.bytes()},
-          {"images", images.bytes()},
+          {"materials", materials.bytes()},
+          {"textures", textures.bytes()},
+          {"lights", lights.bytes()},
+          {"environments", environments.bytes()},
+          {"samples", samples.bytes() + sums.bytes()},
           {"surfaces", surfaces.bytes()},
           {"shading", shading.bytes()},
           {"counts", counts.bytes()},

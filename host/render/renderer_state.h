@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -10,10 +12,23 @@
 #include "render/device_context.h"
 #include "render/features.h"
 #include "render/renderer.h"
+#include "render/shading_data.h"
 #include "render/view.h"
 #include "sampling/sampler.h"
 
 namespace capcon {
+
+/// A kernel and what a job's way of using it fixes; the scene's own constants are added to these.
+struct KernelVariant {
+  std::string name;
+  Constants constants;
+};
+
+/// Lights of a scene on the device.
+struct DeviceLights {
+  std::vector<std::uint32_t> kinds;  ///< kLight... of each
+  std::uint32_t area_lights = 0;     ///< they come first
+};
 
 /// A scene on a device: what every integrator's passes share.
 struct RendererState {
@@ -28,33 +43,46 @@ struct RendererState {
   Constants scene_constants;
   std::uint64_t triangle_count = 0, quadric_count = 0, instance_count = 0, node_count = 0;
   std::size_t band_pixels = 0;  ///< pixels that surfaces and counts are kept for at a time
-  gpu::Buffer nodes, primitives, quadrics, instances, details, images, surfaces, shading, counts,
-      sampler_table, order;
+  gpu::Buffer nodes, primitives, quadrics, instances, details, surfaces, shading, counts, sampler_table,
+      image_table, order, materials, textures, lights, environments, samples, sums, filter;
+  DeviceLights light_list;            ///< empty without Features::shading
+  std::vector<std::string> warnings;  ///< of materials and lights
   Timings setup;
 
   /// `first`: the job that will be rendered first, if it is known; its kernels are compiled while the tree is
   /// built.
   RendererState(const Scene& scene, const RendererOptions& options, std::unique_ptr<DeviceContext> opened,
-                const AmbientOcclusionJob* first);
+                const Job* first);
 
   /// Binds what a kernel names of the scene's buffers.
-  void bind_all(gpu::Kernel& kernel) const;
+  void bind_all(gpu::Kernel& kernel) const { bind_all(kernel, false); }
   /// Puts a sampler's table, and the order in which its points are taken (empty: as they are), where kernels
   /// read it.
   void set_sampler(const SamplerTables& tables, const std::vector<glm::uvec4>& sample_order = {});
-  /// The specialisation of a kernel for this scene and sampler; `jittered` concerns "primary", `ordered`
-  /// "occlusion".
-  Constants constants(std::uint32_t sampler_id, bool jittered, bool ordered) const;
-  gpu::Kernel& kernel(const std::string& name, std::uint32_t sampler_id, bool jittered, bool ordered = false);
+  /// The table of the sampler that places image samples, which the primary kernel reads.
+  void set_image_sampler(const SamplerTables& tables);
+  /// What a batch of direct lighting writes to; made when it is first needed.
+  void need_samples(std::size_t lanes);
+  /// The variant's constants and the scene's.
+  Constants constants(const KernelVariant& variant) const;
+  gpu::Kernel& kernel(const KernelVariant& variant);
+  /// The primary kernel for image samples of this sampler, or at pixel centres.
+  KernelVariant primary_variant(bool jittered, std::uint32_t sampler_id, PixelFilter filter) const;
   /// Bytes of each buffer that holds something of the scene.
   std::map<std::string, std::size_t> buffer_bytes() const;
 
  private:
-  void compile_for(const AmbientOcclusionJob& job);
-  void grow(gpu::Buffer& buffer, std::uint32_t binding, const std::vector<glm::uvec4>& texels);
-  void upload(const Scene& scene, const struct Geometry& geometry);
+  void compile_for(const Job& job);
+  void grow(gpu::Buffer& buffer, const std::vector<glm::uvec4>& texels);
+  void upload(const struct Geometry& geometry);
+  void upload_shading(const ShadingData& data);
+  void bind_all(gpu::Kernel& kernel, bool primary) const;
 
-  std::vector<gpu::Kernel*> bound_;  ///< all kernels there are: bound again when the sampler's table moves
+  struct Bound {
+    gpu::Kernel* kernel;
+    bool primary;
+  };
+  std::vector<Bound> bound_;  ///< all kernels there are: bound again when a buffer moves
 };
 
 /// Pixels of a band: what a pixel needs on the device while it is rendered stays below 128 MiB, the least

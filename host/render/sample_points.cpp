@@ -8,7 +8,7 @@ std::vector<FixedPoint> read_sample_points(RendererState& state, const Sampler& 
   state.set_sampler(tables);
   std::vector<FixedPoint> points(std::size_t(pixels) * sampler.count());
   gpu::Buffer output(state.device, points.size() * sizeof(FixedPoint), gpu::Memory::host);
-  gpu::Kernel& kernel = state.kernel("points", tables.id, false);
+  gpu::Kernel& kernel = state.kernel({"points", {{layout::kSpecSampler, tables.id}}});
   kernel.bind(layout::kBindPoints, output);
   layout::PointConstants push{};
   push.words = {tables.constants[0], tables.constants[1], tables.constants[2], tables.constants[3]};

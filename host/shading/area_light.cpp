@@ -54,10 +54,12 @@ Light triangles(const TriangleMesh& mesh, const Shape& shape, Lights& lights) {
   const glm::dmat3 linear(shape.to_world);
   const bool mirrors = glm::determinant(linear) < 0;
   const glm::dmat3 of_normals = glm::transpose(glm::inverse(linear));
-  for (const glm::uvec3& t : mesh.triangles) {
-    LightTriangle triangle{point(shape.to_world, mesh.positions[t.x]),
-                           point(shape.to_world, mesh.positions[t.y]),
-                           point(shape.to_world, mesh.positions[t.z])};
+  const bool tessellated = shape.kind != ShapeKind::mesh;
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const glm::uvec3 t = mesh.triangles[k];
+    LightTriangle triangle{
+        point(shape.to_world, mesh.positions[t.x]), point(shape.to_world, mesh.positions[t.y]),
+        point(shape.to_world, mesh.positions[t.z]), tessellated ? 0 : static_cast<std::uint32_t>(k)};
     const glm::dvec3 cross = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
     bool turn = mirrors;
     if (!mesh.normals.empty()) {

@@ -18,6 +18,7 @@ enum class LightKind : std::uint8_t { disk, sphere, rectangle, triangles, enviro
 /// is along cross(b - a, c - a).
 struct LightTriangle {
   glm::dvec3 a, b, c;
+  std::uint32_t primitive = 0;  ///< of the shape: the mesh's triangle; 0 for an ellipsoid
 };
 
 /// A light as plain values, in world space. Colours are linear sRGB.

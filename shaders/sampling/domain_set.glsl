@@ -1,12 +1,5 @@
 // Sets of an ensemble in the integral's own domain (host/sampling/domain_sets.cpp). words: sets of the disk, sets of the square
-// (0: no table of that domain); table: a cell a texel, its low corner and its size, first all sets of the disk, then those of the square.
-
-// floor(a * b / 2^32)
-uint multiply_high(uint a, uint b) {
-  uint high, low;
-  umulExtended(a, b, high, low);
-  return high;
-}
+// (0: no table of that domain), -, parts; table: a cell a texel, its low corner and its size, first all sets of the disk, then those of the square.
 
 // The rotation of the disk by turn / 2^32, in the square that the concentric map takes there: a circle is the rim of a
 // square, and its angle goes evenly along the rim. 28 bits of each coordinate.
@@ -33,7 +26,13 @@ uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint ind
   uvec4 keys = set_words(seed, pixel, dimension, kPurposeSet);
   bool disk = domain == kDomainDisk;
   uint set = multiply_high(keys.w, disk ? words.x : words.y);
-  uvec4 cell = FETCH(sampler_texels, ((disk ? 0u : words.x) + set) * count + index);
+  uint place = index;
+  if (words.w > 1u) {  // which part comes first is random
+    uint first = multiply_high(set_words(seed, pixel, dimension, kPurposeParts).w, words.w);
+    place += count / words.w * first;
+    place -= place >= count ? count : 0u;
+  }
+  uvec4 cell = FETCH(sampler_texels, ((disk ? 0u : words.x) + set) * count + place);
   uvec4 random = pcg4d(uvec4(pixel, index, dimension, seed));
   uvec2 p = cell.xy + uvec2(multiply_high(random.x, cell.z), multiply_high(random.y, cell.w));
   uvec2 turned = turn_in_square(p, keys.y);

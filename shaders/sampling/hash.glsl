@@ -17,7 +17,15 @@ uvec4 pcg4d(uvec4 v) {
 
 const uint kPurposeSet = 0x80000000u;
 const uint kPurposeColours = 0x90000000u;
+const uint kPurposeParts = 0xa0000000u;
 
 uvec4 set_words(uint seed, uint pixel, uint dimension, uint purpose) {
   return pcg4d(uvec4(pixel, purpose, dimension, seed));
+}
+
+// floor(a * b / 2^32)
+uint multiply_high(uint a, uint b) {
+  uint high, low;
+  umulExtended(a, b, high, low);
+  return high;
 }

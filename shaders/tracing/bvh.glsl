@@ -152,7 +152,7 @@ bool occluded(Ray ray, TreeConstants tree, bool live) {
       uint slot = first + bit;
       uint id;
       vec4 met = meet_primitive(place.ray, place.frame, slot, id);
-      bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && id + place.first_id != ray.skip;
+      bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && counts(ray, id + place.first_id);
       hit = hit || nearer;
       mask1 = nearer ? 0u : mask1;
       mask = nearer ? 0u : mask;
@@ -247,7 +247,7 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
       uint slot = first + bit;
       uint id;
       vec4 met = meet_primitive(place.ray, place.frame, slot, id);
-      bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && id + place.first_id != ray.skip;
+      bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && counts(ray, id + place.first_id);
       place.ray.t_max = nearer ? met.x : place.ray.t_max;
       hit.slot = nearer ? slot : hit.slot;
       if (kInstances != 0u) {

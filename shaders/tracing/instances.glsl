@@ -48,6 +48,10 @@ Place enter_instance(Ray world, uint instance, out uint root) {
   p.ray.direction = own ? world.direction : d / p.scale;
   p.ray.t_max = world.t_max * p.scale;
   p.ray.skip = world.skip;
+#ifdef RAYS_TO_LIGHTS
+  p.ray.light = world.light;
+  p.ray.more_lights = world.more_lights;
+#endif
   p.frame = ray_frame(p.ray.direction);
   vec4 a = abs(o);
   vec3 error = (vec3(dot(abs(r0), a), dot(abs(r1), a), dot(abs(r2), a)) + abs(uintBitsToFloat(g0.xyz))) * 6.0e-7;

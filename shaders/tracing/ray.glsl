@@ -4,7 +4,20 @@ struct Ray {
   vec3 direction;  // unit length
   float t_max;
   uint skip;       // a primitive that is not tested (the one it starts on), or kNoPrimitive
+#ifdef RAYS_TO_LIGHTS
+  uint light;      // nor are the primitives of the light that it goes to: this one and so many after it
+  uint more_lights;
+#endif
 };
+
+// Whether a primitive counts for a ray.
+bool counts(Ray ray, uint id) {
+#ifdef RAYS_TO_LIGHTS
+  return id != ray.skip && id - ray.light > ray.more_lights;
+#else
+  return id != ray.skip;
+#endif
+}
 
 // A box is met on an axis where (centre - origin) * inverse is within half extent * stretch of 0 or more. Coordinates are the
 // grid's, from its middle, for the centre in units of 1/65536, as the nodes' words have it.

@@ -35,7 +35,7 @@ TEST(Features, KeepingEverythingChangesNoBit) {
 
 TEST(Features, FollowFromTheScene) {
   const auto of = [](const Scene& scene, PixelPosition position, const std::string& instancing = "auto") {
-    const auto j = job(position);
+    const Job j = job(position);
     return needed_features(scene, &j, instancing);
   };
   EXPECT_FALSE(of(testing::random_soup(9, 1), PixelPosition::centre).quadrics);
@@ -47,17 +47,22 @@ TEST(Features, FollowFromTheScene) {
   EXPECT_TRUE(of(testing::round_things(), PixelPosition::centre, "two-level").two_level);
   EXPECT_FALSE(of(testing::round_things(), PixelPosition::centre).jittered);
   EXPECT_TRUE(of(testing::round_things(), PixelPosition::jittered).jittered);
-  EXPECT_FALSE(of(testing::round_things(), PixelPosition::centre).details);
-  EXPECT_FALSE(of(testing::round_things(), PixelPosition::centre).images);
+  EXPECT_FALSE(of(testing::round_things(), PixelPosition::centre).shading);
+  const Job direct = DirectLightingJob{};
+  EXPECT_TRUE(needed_features(testing::round_things(), &direct, "auto").shading);
 }
 
 TEST(Features, TreesAreCutForManyRays) {
   const Scene scene = testing::random_soup(400, 1);  // 1,920 pixels: 4.8 rays a triangle and sample
-  auto j = job();
-  j.samples = 8;
+  const auto with = [](std::uint32_t samples) {
+    auto j = job();
+    j.samples = samples;
+    return Job(j);
+  };
+  Job j = with(8);
   EXPECT_FALSE(wants_best_tree(scene, false, &j, "auto"));
   EXPECT_TRUE(wants_best_tree(scene, false, &j, "best"));
-  j.samples = 64;
+  j = with(64);
   EXPECT_TRUE(wants_best_tree(scene, false, &j, "auto"));
   EXPECT_FALSE(wants_best_tree(scene, false, &j, "fast"));
   EXPECT_TRUE(wants_best_tree(scene, false, nullptr, "auto"));
@@ -70,7 +75,7 @@ TEST(Features, WhatIsNotNeededHasNoBuffer) {
   EXPECT_EQ(needed.state().details.bytes(), kEmpty);
   EXPECT_EQ(needed.state().shading.bytes(), kEmpty);
   EXPECT_EQ(needed.state().instances.bytes(), kEmpty);
-  EXPECT_EQ(everything.state().details.bytes(), 400u * 48);
+  EXPECT_EQ(everything.state().details.bytes(), 400u * 16 * 5);
   EXPECT_EQ(everything.state().shading.bytes(), 48u * 40 * 32);
   EXPECT_EQ(everything.state().instances.bytes(), 128u);
 }

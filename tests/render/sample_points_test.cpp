@@ -6,7 +6,8 @@
 namespace capcon {
 namespace {
 
-// The shader's samplers give the host's bits, for every sampler, kind of count and dimension pair.
+// The shader's samplers give the host's bits, for every sampler, kind of count and of split, and dimension
+// pair.
 TEST(SamplePoints, DeviceAndHostAgreeToTheBit) {
   const Scene scene = testing::random_soup(3, 1, 4, 4);
   for (const char* fetch : {"texel", "storage"}) {
@@ -14,20 +15,23 @@ TEST(SamplePoints, DeviceAndHostAgreeToTheBit) {
     for (const std::string& name : sampler_names()) {
       for (std::uint32_t count : {1u, 2u, 7u, 12u, 16u, 17u, 32u, 50u, 64u, 100u, 128u, 2400u}) {
         if ((name == "ccvt" || name == "capcon-domain") && count > 128) continue;
-        const std::uint32_t parts = count % 4 == 0 ? 4 : count % 5 == 0 ? 5 : 1;
-        const auto sampler = make_sampler(name, count, 42, parts);
-        const std::uint32_t pixels = count > 1000 ? 3 : 20;
-        for (std::uint32_t dimension : {0u, 1u, 3u}) {
-          const SampleDomain domain = dimension == 1 ? SampleDomain::square : SampleDomain::disk;
-          const auto points = renderer.sample_points(*sampler, pixels, dimension, domain);
-          std::size_t different = 0;
-          for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
-            for (std::uint32_t i = 0; i < count; ++i) {
-              if (points[std::size_t(pixel) * count + i] != sampler->sample(pixel, i, dimension, domain)) ++different;
+        const std::uint32_t cut = count % 4 == 0 ? 4 : count % 5 == 0 ? 5 : 1;
+        for (const std::uint32_t parts : {1u, cut, count >= 64 && count % 16 == 0 ? 16u : 1u}) {
+          const auto sampler = make_sampler(name, count, 42, parts);
+          const std::uint32_t pixels = count > 1000 ? 3 : 12;
+          for (std::uint32_t dimension : {0u, 1u, 3u}) {
+            const SampleDomain domain = dimension == 1 ? SampleDomain::square : SampleDomain::disk;
+            const auto points = renderer.sample_points(*sampler, pixels, dimension, domain);
+            std::size_t different = 0;
+            for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
+              for (std::uint32_t i = 0; i < count; ++i) {
+                if (points[std::size_t(pixel) * count + i] != sampler->sample(pixel, i, dimension, domain))
+                  ++different;
+              }
             }
+            EXPECT_EQ(different, 0u) << fetch << " " << name << " count " << count << " in " << parts
+                                     << " dimension " << dimension;
           }
-          EXPECT_EQ(different, 0u) << fetch << " " << name << " count " << count << " dimension "
-                                   << dimension;
         }
       }
     }

@@ -1,0 +1,261 @@
+#include "render/direct_lighting.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <chrono>
+
+#include "base/error.h"
+#include "render/dispatch.h"
+
+namespace capcon {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+glm::vec4 with_word(glm::dvec3 v, std::uint32_t w) {
+  return {glm::vec3(v), std::bit_cast<float>(w)};
+}
+
+/// Samples of a pixel in one dispatch: a thread of resolve.comp adds them up in one loop.
+constexpr std::uint32_t kMostSamples = 1u << 14;
+
+std::uint32_t strategy_constant(Strategy strategy) {
+  if (strategy == Strategy::power) return layout::kStrategyPower;
+  return strategy == Strategy::balance ? layout::kStrategyBalance : layout::kStrategyOne;
+}
+
+/// The integrator's points: all of a pixel as parts of one set, or a set a part.
+std::unique_ptr<Sampler> integrator_sampler(const DirectLightingJob& job) {
+  return job.partition ? make_sampler(job.sampler, job.samples(), job.seed, job.image_samples)
+                       : make_sampler(job.sampler, job.integrator_samples, job.seed);
+}
+
+/// Whether light samples, and BSDF samples, are of use.
+bool uses_lights(const RendererState& s, const DirectLightingJob& job) {
+  return job.strategy != Strategy::bsdf && !s.light_list.kinds.empty();
+}
+bool uses_bsdf(const RendererState& s, const DirectLightingJob& job) {
+  const auto& kinds = s.light_list.kinds;
+  const auto findable = [](std::uint32_t kind) { return kind <= layout::kLightConstant; };
+  return job.strategy != Strategy::lights && std::any_of(kinds.begin(), kinds.end(), findable);
+}
+
+KernelVariant light_variant(const DirectLightingJob& job, std::uint32_t sampler_id, std::uint32_t kind) {
+  return {"light_samples",
+          {{layout::kSpecSampler, sampler_id},
+           {layout::kSpecLight, kind},
+           {layout::kSpecStrategy, strategy_constant(job.strategy)}}};
+}
+KernelVariant bsdf_variant(const DirectLightingJob& job, std::uint32_t sampler_id) {
+  return {"bsdf_samples",
+          {{layout::kSpecSampler, sampler_id}, {layout::kSpecStrategy, strategy_constant(job.strategy)}}};
+}
+
+/// One job under way.
+class Pass {
+ public:
+  Pass(RendererState& state, const DirectLightingJob& job, int first_row, int rows,
+       const std::function<void(double)>& on_progress)
+      : s_(state), job_(job), on_progress_(on_progress) {
+    const auto width = static_cast<std::uint32_t>(state.film.width);
+    first_ = width * static_cast<std::uint32_t>(first_row);
+    pixels_ = width * static_cast<std::uint32_t>(rows);
+    result_.image = Image(state.film.width, rows, 3);
+    jittered_ = job.position == PixelPosition::jittered;
+  }
+
+  RenderResult run() {
+    auto start = Clock::now();
+    make_points();
+    result_.timings.wall["points"] = seconds_since(start);
+    s_.need_samples(kBatchLanes);
+    make_kernels();
+    result_.timings.wall["compile"] = s_.kernels.take_compile_seconds();
+    result_.first_dispatch = Clock::now();
+    for (std::uint32_t done = 0; done < pixels_; done += band_pixels_) {
+      band_ = first_ + done;
+      band_pixels_ = static_cast<std::uint32_t>(std::min<std::size_t>(s_.band_pixels, pixels_ - done));
+      s_.sums.clear();
+      if (jittered_) {
+        for (std::uint32_t p = 0; p < job_.image_samples; ++p)
+          image_sample(p, p * job_.integrator_samples, job_.integrator_samples);
+      } else {
+        image_sample(0, 0, job_.samples());
+      }
+      resolve(done);
+    }
+    result_.rays = std::uint64_t(pixels_) * job_.samples() * (lights_.size() + (bsdf_ ? 1 : 0));
+    result_.device = s_.description.name;
+    return std::move(result_);
+  }
+
+ private:
+  void make_points() {
+    const auto sampler = integrator_sampler(job_);
+    tables_ = sampler->tables({SampleDomain::disk, SampleDomain::square});
+    s_.set_sampler(tables_);
+    const Split& split = sampler->split();
+    split_ = {job_.image_samples, job_.integrator_samples, split.part_stride, split.point_stride};
+    if (!jittered_) return;
+    const auto image = make_sampler(job_.sampler, job_.image_samples, job_.seed);
+    image_tables_ = image->tables({SampleDomain::square});
+    image_tables_.constants[2] = image->split().point_stride;
+    s_.set_image_sampler(image_tables_);
+  }
+
+  void make_kernels() {
+    primary_ = &s_.kernel(s_.primary_variant(jittered_, tables_.id, job_.filter));
+    if (uses_lights(s_, job_)) {
+      for (const std::uint32_t kind : s_.light_list.kinds)
+        lights_.push_back(&s_.kernel(light_variant(job_, tables_.id, kind)));
+    }
+    if (uses_bsdf(s_, job_)) bsdf_ = &s_.kernel(bsdf_variant(job_, tables_.id));
+    sum_ = &s_.kernel({"resolve", {}});
+    emission_ = &s_.kernel({"emission", {}});
+  }
+
+  /// The integrator samples first ... first + count - 1 of each pixel of the band, from its image sample p.
+  void image_sample(std::uint32_t p, std::uint32_t first, std::uint32_t count) {
+    primary(p);
+    emission(static_cast<float>(count));
+    if (lights_.empty() && !bsdf_) return;
+    const std::uint32_t part = std::min(count, kMostSamples);
+    const auto batch_pixels = static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kBatchLanes / part));
+    for (std::uint32_t from = 0; from < count; from += part) {
+      const std::uint32_t samples = std::min(part, count - from);
+      for (std::uint32_t pixel = 0; pixel < band_pixels_; pixel += batch_pixels) {
+        const std::uint32_t batch = std::min(batch_pixels, band_pixels_ - pixel);
+        samples_of(band_ + pixel, batch, first + from, samples);
+        done_ += static_cast<double>(batch) * samples;
+        if (on_progress_) on_progress_(done_ / (static_cast<double>(pixels_) * job_.samples()));
+      }
+    }
+  }
+
+  void samples_of(std::uint32_t first_pixel, std::uint32_t pixels, std::uint32_t first,
+                  std::uint32_t samples) {
+    layout::DirectConstants push{};
+    push.tree = s_.tree;
+    push.words = words(tables_);
+    push.split = split_;
+    push.eye = with_word(s_.view.eye, job_.seed);
+    push.first_pixel = first_pixel;
+    push.pixel_count = pixels;
+    push.first_sample = first;
+    push.samples = samples;
+    push.band = band_;
+    push.lights = static_cast<std::uint32_t>(s_.light_list.kinds.size());
+    const std::uint32_t groups = groups_for(std::uint64_t(pixels) * samples);
+    push.group_stride = spreading_stride(groups);
+    push.flags = layout::kDirectFirst | (job_.partition ? 0 : layout::kDirectSeparate);
+    for (std::size_t j = 0; j < lights_.size(); ++j) {
+      push.light = static_cast<std::uint32_t>(j);
+      submit(*lights_[j], &push, groups, "light samples");
+      push.flags &= ~layout::kDirectFirst;
+    }
+    if (bsdf_) {
+      push.light = s_.light_list.area_lights;
+      submit(*bsdf_, &push, groups, "bsdf samples");
+    }
+    const layout::ResolveConstants sum{first_pixel, pixels, samples, band_};
+    submit(*sum_, &sum, groups_for(pixels), "resolve");
+  }
+
+  void primary(std::uint32_t sample_index) {
+    layout::PrimaryConstants push{};
+    push.tree = s_.tree;
+    push.eye = with_word(s_.view.eye, static_cast<std::uint32_t>(s_.film.width));
+    push.across = with_word(s_.view.across, band_);
+    push.down = with_word(s_.view.down, jittered_ ? 1 : 0);
+    push.words = words(image_tables_);
+    push.seed = job_.seed;
+    push.count = job_.image_samples;
+    push.sample_index = sample_index;
+    for (std::uint64_t first = 0; first < band_pixels_; first += kBatchLanes) {
+      const auto batch =
+          static_cast<std::uint32_t>(std::min<std::uint64_t>(kBatchLanes, band_pixels_ - first));
+      push.first_pixel = band_ + static_cast<std::uint32_t>(first);
+      push.corner = with_word(s_.view.corner, batch);
+      submit(*primary_, &push, groups_for(batch), "primary");
+    }
+  }
+
+  void emission(float weight) {
+    const auto lights = static_cast<std::uint32_t>(s_.light_list.kinds.size());
+    if (lights == 0) return;
+    layout::EmissionConstants push{band_,  band_pixels_, band_, s_.light_list.area_lights,
+                                   lights, weight,       0,     0};
+    submit(*emission_, &push, groups_for(band_pixels_), "emission");
+  }
+
+  void submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups, const std::string& stage) {
+    const auto start = Clock::now();
+    gpu::Commands commands(s_.device);
+    commands.dispatch(kernel, push, groups, stage);
+    commands.submit_and_wait();
+    for (const auto& time : commands.times()) result_.timings.device[time.stage] += time.seconds;
+    result_.timings.wall[stage] += seconds_since(start);
+  }
+
+  void resolve(std::uint32_t first) {
+    const auto start = Clock::now();
+    std::vector<glm::vec4> sums(2 * std::size_t(band_pixels_));
+    s_.sums.download(sums.data(), 16 * sums.size());
+    for (std::size_t i = 0; i < band_pixels_; ++i) {
+      for (int c = 0; c < 3; ++c) {
+        const double sum = static_cast<double>(sums[2 * i][c]) - static_cast<double>(sums[2 * i + 1][c]);
+        result_.image.pixels[3 * (first + i) + c] = static_cast<float>(sum / job_.samples());
+      }
+    }
+    result_.timings.wall["resolve"] += seconds_since(start);
+  }
+
+  static glm::uvec4 words(const SamplerTables& t) {
+    return {t.constants[0], t.constants[1], t.constants[2], t.constants[3]};
+  }
+
+  RendererState& s_;
+  const DirectLightingJob& job_;
+  const std::function<void(double)>& on_progress_;
+  bool jittered_ = false;
+  std::uint32_t first_ = 0, pixels_ = 0;      // of the rows asked for
+  std::uint32_t band_ = 0, band_pixels_ = 0;  // of those on the device
+  SamplerTables tables_, image_tables_;
+  glm::uvec4 split_{1};
+  gpu::Kernel *primary_ = nullptr, *bsdf_ = nullptr, *sum_ = nullptr, *emission_ = nullptr;
+  std::vector<gpu::Kernel*> lights_;  // one for each light, the same for those of a kind
+  RenderResult result_;
+  double done_ = 0;
+};
+
+}  // namespace
+
+RenderResult render_direct_lighting(RendererState& state, const DirectLightingJob& job, int first_row,
+                                    int rows, const std::function<void(double)>& on_progress) {
+  if (job.image_samples == 0 || job.integrator_samples == 0)
+    throw InputError("the number of samples must be at least 1");
+  if (std::uint64_t(job.image_samples) * job.integrator_samples > (1u << 24))
+    throw InputError("more than 2^24 samples a pixel are too many for one image; average several seeds");
+  assert(first_row >= 0 && rows > 0 && first_row + rows <= state.film.height);
+  assert(state.features.shading);
+  return Pass(state, job, first_row, rows, on_progress).run();
+}
+
+std::vector<KernelVariant> direct_lighting_kernels(const RendererState& state, const DirectLightingJob& job) {
+  const bool jittered = job.position == PixelPosition::jittered;
+  const std::uint32_t id = integrator_sampler(job)->tables({}).id;
+  std::vector<KernelVariant> variants = {state.primary_variant(jittered, id, job.filter)};
+  if (uses_lights(state, job)) {
+    for (const std::uint32_t kind : state.light_list.kinds) variants.push_back(light_variant(job, id, kind));
+  }
+  if (uses_bsdf(state, job)) variants.push_back(bsdf_variant(job, id));
+  variants.push_back({"resolve", {}});
+  variants.push_back({"emission", {}});
+  return variants;
+}
+
+}  // namespace capcon

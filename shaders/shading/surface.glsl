@@ -1,0 +1,43 @@
+// What a pixel sees, as shading needs it: written by primary.comp.
+DATA_TEXELS(kBindSurfaces, surface_texels);
+DATA_TEXELS(kBindShading, shading_texels);
+
+struct Surface {
+  vec3 origin;     // for rays that leave it
+  uint primitive;  // its id, which such rays do not meet
+  vec3 ng;         // geometric normal, faces the viewer
+  vec3 ns;         // shading normal on that side
+  vec3 wo;         // to the viewer
+  vec2 uv;
+  uint material;
+  bool live;
+};
+
+// `place`: pixel of the band. A pixel that sees nothing gives values that do no harm.
+Surface load_surface(uint place, vec3 eye, bool inside) {
+  uvec4 at = FETCH(surface_texels, place * 2u);
+  uvec4 facing = FETCH(surface_texels, place * 2u + 1u);
+  uvec4 s0 = FETCH(shading_texels, place * 2u);
+  uvec4 s1 = FETCH(shading_texels, place * 2u + 1u);
+  Surface s;
+  s.live = inside && facing.w != 0u;
+  s.origin = uintBitsToFloat(at.xyz);
+  s.primitive = at.w;
+  s.ng = s.live ? uintBitsToFloat(facing.xyz) : vec3(0.0, 0.0, 1.0);
+  s.wo = s.live ? normalize(eye - s.origin) : vec3(0.0, 0.0, 1.0);
+  vec3 ns = uintBitsToFloat(s0.xyz);
+  s.ns = s.live && dot(ns, s.wo) > 0.0 ? ns : s.ng;
+  s.uv = uintBitsToFloat(s1.xy);
+  s.material = s.live ? s0.w : 0u;
+  return s;
+}
+
+// Into the frame of to_frame().
+vec3 from_frame(vec3 w, vec3 n) {
+  float s = n.z >= 0.0 ? 1.0 : -1.0;
+  float a = -1.0 / (s + n.z);
+  float b = n.x * n.y * a;
+  vec3 t = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
+  vec3 bt = vec3(b, s + n.y * n.y * a, -n.y);
+  return vec3(dot(w, t), dot(w, bt), dot(w, n));
+}
