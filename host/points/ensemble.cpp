@@ -9,12 +9,15 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/morton.h"
 #include "base/parallel.h"
+#include "points/cell_swaps.h"
 
 namespace capcon {
 namespace {
 
-constexpr std::uint64_t kDealStream = 0x656e73656d, kPairStream = kDealStream + 1;
+constexpr std::uint64_t kDealStream = 0x656e73656d, kPairStream = kDealStream + 1,
+                        kPartStream = kDealStream + 0x100000000;
 constexpr double kSets = 64;  // wished; more cells are finer, and take longer
 
 struct Grid {
@@ -44,92 +47,15 @@ void shuffle(std::vector<T>& items, std::uint64_t seed, std::uint64_t stream) {
   for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[mix64(seed, stream, i) % i]);
 }
 
-/// Two sets that swap cells until neither gains.
-class Pair {
- public:
-  Pair(const std::vector<glm::vec2>& centres, std::uint32_t* a, std::uint32_t* b, std::uint32_t n)
-      : cells_{a, b}, n_(n) {
-    const std::uint32_t m = 2 * n;
-    distance_.resize(std::size_t(m) * m);
-    std::vector<float> x(m), y(m);
-    for (std::uint32_t i = 0; i < m; ++i) {
-      const glm::vec2 c = centres[cell(i)];
-      x[i] = c.x;
-      y[i] = c.y;
-    }
-    for (std::uint32_t i = 0; i < m; ++i) {
-      float* row = &distance_[std::size_t(i) * m];
-      for (std::uint32_t j = 0; j < m; ++j)
-        row[j] = std::sqrt((x[i] - x[j]) * (x[i] - x[j]) + (y[i] - y[j]) * (y[i] - y[j]));
-    }
-    // Where each place's point was at first: the matrix stays, places move.
-    at_.resize(m);
-    std::iota(at_.begin(), at_.end(), 0u);
-    for (int s = 0; s < 2; ++s) {
-      sum_[s].assign(m, 0);
-      for (std::uint32_t p = 0; p < m; ++p) {
-        const float* row = &distance_[std::size_t(p) * m + s * n];
-        sum_[s][p] = std::accumulate(row, row + n, 0.0f);
-      }
-    }
-  }
-
-  /// Swaps while there is a gain, at most three passes; whether there was any.
-  bool run() {
-    const std::vector<std::uint32_t> before = cells();
-    bool any = true, ever = false;
-    for (int pass = 0; any && pass < 3; ++pass) {
-      any = false;
-      for (std::uint32_t i = 0; i < n_; ++i) any = best_swap(i) || any;
-      ever = ever || any;
-    }
-    for (std::uint32_t i = 0; ever && i < 2 * n_; ++i) cell(i) = before[at_[i]];
-    return ever;
-  }
-
- private:
-  std::uint32_t& cell(std::uint32_t place) {
-    return cells_[place < n_ ? 0 : 1][place < n_ ? place : place - n_];
-  }
-  std::vector<std::uint32_t> cells() {
-    std::vector<std::uint32_t> all(2 * n_);
-    for (std::uint32_t i = 0; i < 2 * n_; ++i) all[i] = cell(i);
-    return all;
-  }
-
-  /// The swap of place i of the first set with the place of the second that gains most.
-  bool best_swap(std::uint32_t i) {
-    const std::uint32_t m = 2 * n_, p = at_[i];
-    const float* row = &distance_[std::size_t(p) * m];
-    const float own = sum_[1][p] - sum_[0][p];
-    float most = 1e-4f;  // below this it is rounding
-    std::uint32_t chosen = m;
-    for (std::uint32_t j = n_; j < m; ++j) {
-      const std::uint32_t q = at_[j];
-      const float gain = own + sum_[0][q] - sum_[1][q] - 2 * row[q];
-      if (gain > most) most = gain, chosen = j;
-    }
-    if (chosen == m) return false;
-    const std::uint32_t q = at_[chosen];
-    const float* other = &distance_[std::size_t(q) * m];
-    for (std::uint32_t k = 0; k < m; ++k) {
-      const float change = other[k] - row[k];
-      sum_[0][k] += change;
-      sum_[1][k] -= change;
-    }
-    std::swap(at_[i], at_[chosen]);
-    return true;
-  }
-
-  std::uint32_t* cells_[2];
-  std::uint32_t n_;
-  std::vector<float> distance_;
-  std::vector<std::uint32_t> at_;
-  std::vector<float> sum_[2];  ///< by point: the sum of its distances to each set
-};
-
 glm::dvec2 centre(const Ensemble& e, std::uint32_t cell) {
   return {(cell % e.columns + 0.5) / e.columns, (cell / e.columns + 0.5) / e.rows};
+}
+
+std::vector<glm::vec2> centres_of(const Ensemble& e, EnsembleDomain domain) {
+  std::vector<glm::vec2> centres(e.cells.size());
+  for (std::uint32_t c = 0; c < centres.size(); ++c)
+    centres[c] = glm::vec2(into_domain(domain, centre(e, c)));
+  return centres;
 }
 
 }  // namespace
@@ -158,9 +84,7 @@ Ensemble make_ensemble(const EnsembleOptions& options) {
   e.sets = static_cast<std::uint32_t>(e.cells.size() / n);
   std::iota(e.cells.begin(), e.cells.end(), 0u);
   shuffle(e.cells, options.seed, kDealStream);
-  std::vector<glm::vec2> centres(e.cells.size());
-  for (std::uint32_t c = 0; c < centres.size(); ++c)
-    centres[c] = glm::vec2(into_domain(options.domain, centre(e, c)));
+  const std::vector<glm::vec2> centres = centres_of(e, options.domain);
 
   // Rounds of a tournament: every set meets another one in each. It is over when a round for every set has
   // changed nothing.
@@ -176,9 +100,10 @@ Ensemble make_ensemble(const EnsembleOptions& options) {
     std::iota(order.begin(), order.end(), 0u);
     shuffle(order, options.seed, kPairStream + round);
     const auto meet = [&](std::size_t k) {
-      Pair pair(centres, &e.cells[std::size_t(order[2 * k]) * n], &e.cells[std::size_t(order[2 * k + 1]) * n],
-                n);
-      changed[k] = pair.run() ? 1 : 0;
+      changed[k] = swap_cells(centres, &e.cells[std::size_t(order[2 * k]) * n],
+                              &e.cells[std::size_t(order[2 * k + 1]) * n], n)
+                       ? 1
+                       : 0;
     };
     if (grain >= changed.size()) {
       for (std::size_t k = 0; k < changed.size(); ++k) meet(k);
@@ -188,6 +113,33 @@ Ensemble make_ensemble(const EnsembleOptions& options) {
     idle = std::find(changed.begin(), changed.end(), 1) == changed.end() ? idle + 1 : 0;
   }
   return e;
+}
+
+void deal_parts(Ensemble& e, EnsembleDomain domain, std::uint32_t parts) {
+  const auto n = static_cast<std::uint32_t>(e.cells.size() / e.sets), points = n / parts;
+  if (parts == 1 || points == 1) return;
+  const std::vector<glm::vec2> centres = centres_of(e, domain);
+  constexpr int kSweeps = 6;
+  parallel_for(e.sets, [&](std::size_t s) {
+    // Every part begins with one of each `parts` cells that lie near each other.
+    std::uint32_t* const set = &e.cells[s * n];
+    std::vector<std::uint32_t> near(set, set + n), deal(parts);
+    std::sort(near.begin(), near.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return morton_code(a % e.columns, a / e.columns) < morton_code(b % e.columns, b / e.columns);
+    });
+    for (std::uint32_t i = 0; i < points; ++i) {
+      std::iota(deal.begin(), deal.end(), 0u);
+      shuffle(deal, s, kPartStream + i);
+      for (std::uint32_t p = 0; p < parts; ++p) set[p * points + i] = near[i * parts + deal[p]];
+    }
+    bool any = true;
+    for (int sweep = 0; any && sweep < kSweeps; ++sweep) {
+      any = false;
+      for (std::uint32_t a = 0; a < parts; ++a)
+        for (std::uint32_t b = a + 1; b < parts; ++b)
+          any = swap_cells(centres, set + a * points, set + b * points, points) || any;
+    }
+  });
 }
 
 double mean_distance_within(const Ensemble& e, EnsembleDomain domain) {

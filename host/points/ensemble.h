@@ -39,6 +39,10 @@ struct EnsembleOptions {
 /// 4096.
 Ensemble make_ensemble(const EnsembleOptions& options);
 
+/// Orders the cells of every set so that cells p * n / parts ... (p + 1) * n / parts - 1, part p, cover the
+/// domain as evenly as can be too: the same swaps between the parts of a set. `parts` divides n.
+void deal_parts(Ensemble& ensemble, EnsembleDomain domain, std::uint32_t parts);
+
 /// Mean over the sets of (1/n^2) sum |x_i - x_j|, at the cells' centres: what the swaps raise.
 double mean_distance_within(const Ensemble& ensemble, EnsembleDomain domain);
 

@@ -7,13 +7,15 @@
 
 namespace capcon {
 
-// The four words that every sampler draws from for a set, addressed by (seed, pixel, dimension, purpose). The shader
-// side (shaders/sampling/hash.glsl) has the same purposes.
-constexpr std::uint32_t kPurposeSet = 0x80000000u;      ///< words x, y: the set's randomisation; z: its order; w: spare
+// The four words that every sampler draws from for a set, addressed by (seed, pixel, dimension, purpose). The
+// shader side (shaders/sampling/hash.glsl) has the same purposes.
+constexpr std::uint32_t kPurposeSet =
+    0x80000000u;  ///< words x, y: the set's randomisation; z: its order; w: spare
 constexpr std::uint32_t kPurposeColours = 0x90000000u;  ///< + group: 128 corner colours each
+constexpr std::uint32_t kPurposeParts = 0xa0000000u;    ///< + block: word w turns the parts of a set
 
-inline std::array<std::uint32_t, 4> set_words(std::uint32_t seed, std::uint32_t pixel, std::uint32_t dimension,
-                                              std::uint32_t purpose = kPurposeSet) {
+inline std::array<std::uint32_t, 4> set_words(std::uint32_t seed, std::uint32_t pixel,
+                                              std::uint32_t dimension, std::uint32_t purpose = kPurposeSet) {
   return pcg4d(pixel, purpose, dimension, seed);
 }
 

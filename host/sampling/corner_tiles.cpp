@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -11,6 +12,7 @@
 #include "sampling/address.h"
 #include "sampling/bits.h"
 #include "sampling/samplers.h"
+#include "sampling/tiling_parts.h"
 #include "tiling/tiling.h"
 
 namespace capcon {
@@ -43,65 +45,116 @@ Cut choose_cut(std::uint32_t n, std::uint32_t tile_points) {
   return best.value();
 }
 
+CellPoints points_of(const Cut& cut, const GaussianTiling& tiling) {
+  CellPoints points{std::vector<std::uint32_t>(tiling.size()), cut.ranks, cut.extra};
+  // Tiles with an extra point come first: in an order by hash, so that they do not lie side by side.
+  std::iota(points.cells.begin(), points.cells.end(), 0u);
+  if (cut.extra > 0) {
+    std::sort(points.cells.begin(), points.cells.end(),
+              [](std::uint32_t x, std::uint32_t y) { return mix64(0, 0, x) < mix64(0, 0, y); });
+  }
+  return points;
+}
+
+// With parts, and at most this many tiles, all tilings are stored whole: 32 of at most 80 points.
+constexpr std::uint32_t kWholeTiles = 5;
+// In the second word: points come in the order that the table says.
+constexpr std::uint32_t kDealt = 0x80000000u;
+
 class CornerTileSampler final : public Sampler {
  public:
   CornerTileSampler(const TileSet& set, std::uint32_t count, std::uint32_t seed, std::uint32_t parts)
-      : Sampler("capcon", count, seed, parts),
-        cut_(choose_cut(count, set.points_per_tile)),
-        tiling_(cut_.a, cut_.b) {
-    const std::uint32_t stored = cut_.ranks + (cut_.extra > 0 ? 1 : 0);
-    for (const auto& tile : set.tiles) {
-      for (std::uint32_t r = 0; r < stored; ++r) places_.push_back(tiling_.place(tile[r].position));
-    }
-    // Tiles with an extra point come first: in an order by hash, so that they do not lie side by side.
-    cells_.resize(tiling_.size());
-    std::iota(cells_.begin(), cells_.end(), 0u);
-    if (cut_.extra > 0) {
-      std::sort(cells_.begin(), cells_.end(),
-                [](std::uint32_t x, std::uint32_t y) { return mix64(0, 0, x) < mix64(0, 0, y); });
-    }
-  }
+      : CornerTileSampler(set, choose_cut(count, set.points_per_tile), count, seed, parts) {}
 
   FixedPoint point(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension,
                    SampleDomain) const override {
     const auto words = set_words(seed(), pixel, dimension);
-    const std::uint32_t longer = cut_.extra * (cut_.ranks + 1);
-    const bool in_longer = index < longer;
-    const std::uint32_t from = in_longer ? index : index - longer;
-    const std::uint32_t length = cut_.ranks + (in_longer ? 1 : 0);
-    const std::uint32_t cell = cells_[from / length + (in_longer ? 0 : cut_.extra)];
-    const auto corners = tiling_.corners(cell);
-    std::uint32_t tile = 0;
-    for (int corner = 0; corner < 4; ++corner) tile |= colour(pixel, dimension, corners[corner]) << corner;
-    const std::uint32_t stored = cut_.ranks + (cut_.extra > 0 ? 1 : 0);
-    const FixedPoint origin = tiling_.origin(cell);
-    const FixedPoint place = places_[tile * stored + from % length];
-    return {origin.x + place.x + words[0], origin.y + place.y + words[1]};
+    const FixedPoint p = whole_ ? places_[std::size_t(colouring(pixel, dimension)) * count() + index]
+                                : place(pixel, index, dimension);
+    return {p.x + words[0], p.y + words[1]};
   }
 
-  /// Texels: first the cells (origin x, y; corners 0 and 1, corners 2 and 3 as 16-bit pairs), then the tiles'
-  /// points.
+  /// Texels. Whole tilings: their points. Else first the cells (origin x, y; corners 0 and 1, corners 2 and 3
+  /// as 16-bit pairs), then the tiles' points, and for parts the order, four words a texel.
   SamplerTables tables(const std::vector<SampleDomain>&) const override {
-    SamplerTables result{layout::kSamplerCapcon, {tiling_.size(), cut_.ranks, 0, cut_.extra}, {}};
-    for (const std::uint32_t cell : cells_) {
-      const FixedPoint origin = tiling_.origin(cell);
-      const auto c = tiling_.corners(cell);
-      result.texels.emplace_back(origin.x, origin.y, c[0] | c[1] << 16, c[2] | c[3] << 16);
+    SamplerTables result{layout::kSamplerCapcon, {tiling_.size(), cells_.ranks, 0, cells_.extra}, {}};
+    if (whole_) {
+      result.constants = {tiling_.size(), 0, 0, 0};
+    } else {
+      if (!order_.empty()) result.constants[1] |= kDealt;
+      for (const std::uint32_t cell : cells_.cells) {
+        const FixedPoint origin = tiling_.origin(cell);
+        const auto c = tiling_.corners(cell);
+        result.texels.emplace_back(origin.x, origin.y, c[0] | c[1] << 16, c[2] | c[3] << 16);
+      }
     }
     for (const FixedPoint p : places_) result.texels.emplace_back(p.x, p.y, 0, 0);
+    const auto word = [&](std::size_t i) { return i < order_.size() ? order_[i] : 0; };
+    for (std::size_t i = 0; i < order_.size(); i += 4)
+      result.texels.emplace_back(word(i), word(i + 1), word(i + 2), word(i + 3));
     return result;
   }
 
  private:
+  CornerTileSampler(const TileSet& set, const Cut& cut, std::uint32_t count, std::uint32_t seed,
+                    std::uint32_t parts)
+      : Sampler("capcon", count, seed, parts),
+        tiling_(cut.a, cut.b),
+        cells_(points_of(cut, tiling_)),
+        whole_(parts > 1 && tiling_.size() <= kWholeTiles) {
+    if (whole_) {
+      places_ = parts_of_whole_tilings(set, tiling_, cells_, parts);
+      return;
+    }
+    DealtCells dealt;
+    if (parts > 1) dealt = deal_cells(set, tiling_, cells_, parts);
+    order_ = std::move(dealt.order);
+    for (std::size_t t = 0; t < set.tiles.size(); ++t) {
+      for (std::uint32_t s = 0; s < cells_.most(); ++s) {
+        const std::uint32_t rank = parts > 1 ? dealt.rank[t][s] : s;
+        places_.push_back(tiling_.place(set.tiles[t][rank].position));
+      }
+    }
+  }
+
+  /// The colours of the first vertices, one bit each.
+  std::uint32_t colouring(std::uint32_t pixel, std::uint32_t dimension) const {
+    return set_words(seed(), pixel, dimension, kPurposeColours)[0] & ((1u << tiling_.size()) - 1);
+  }
+
+  /// On the torus, not shifted yet.
+  FixedPoint place(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const {
+    std::uint32_t at, rank;
+    if (order_.empty()) {
+      const std::uint32_t longer = cells_.extra * (cells_.ranks + 1);
+      const bool in_longer = index < longer;
+      const std::uint32_t from = in_longer ? index : index - longer;
+      const std::uint32_t length = cells_.ranks + (in_longer ? 1 : 0);
+      at = from / length + (in_longer ? 0 : cells_.extra);
+      rank = from % length;
+    } else {
+      at = order_[index] & 0xffff;
+      rank = order_[index] >> 16;
+    }
+    const std::uint32_t cell = cells_.cells[at];
+    const auto corners = tiling_.corners(cell);
+    std::uint32_t tile = 0;
+    for (int corner = 0; corner < 4; ++corner) tile |= colour(pixel, dimension, corners[corner]) << corner;
+    const FixedPoint origin = tiling_.origin(cell);
+    const FixedPoint place = places_[tile * cells_.most() + rank];
+    return {origin.x + place.x, origin.y + place.y};
+  }
+
   std::uint32_t colour(std::uint32_t pixel, std::uint32_t dimension, std::uint32_t vertex) const {
     const auto words = set_words(seed(), pixel, dimension, kPurposeColours + (vertex >> 7));
     return (words[(vertex >> 5) & 3] >> (vertex & 31)) & 1;
   }
 
-  Cut cut_;
   GaussianTiling tiling_;
-  std::vector<std::uint32_t> cells_;
-  std::vector<FixedPoint> places_;
+  CellPoints cells_;
+  bool whole_;
+  std::vector<FixedPoint> places_;    ///< of whole tilings on the torus; else of the tiles' slots
+  std::vector<std::uint32_t> order_;  ///< of parts: DealtCells::order
 };
 
 }  // namespace

@@ -5,11 +5,13 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/morton.h"
 #include "layout.h"
 #include "points/ensemble.h"
 #include "sampling/address.h"
@@ -39,26 +41,28 @@ struct Sets {
   std::vector<Cell> cells;
 };
 
-/// Bits of x at the even places, of y at the odd ones.
-std::uint32_t interleave(std::uint32_t x, std::uint32_t y) {
-  const auto spread = [](std::uint32_t v) {
-    v = (v | v << 8) & 0x00ff00ffu;
-    v = (v | v << 4) & 0x0f0f0f0fu;
-    v = (v | v << 2) & 0x33333333u;
-    return (v | v << 1) & 0x55555555u;
-  };
-  return spread(x) | spread(y) << 1;
+/// The same for all seeds, and a second's work for large sets: made once a program.
+template <class Key, class Make>
+auto made_once(const Key& key, Make make) {
+  using Made = decltype(make());
+  static std::mutex mutex;
+  static std::map<Key, std::shared_ptr<const Made>> known;
+  const std::lock_guard lock(mutex);
+  auto& made = known[key];
+  if (!made) made = std::make_shared<const Made>(make());
+  return made;
 }
 
-Sets make_sets(std::uint32_t count, EnsembleDomain domain) {
-  Ensemble e = make_ensemble({.points = count, .domain = domain});
-  // In Morton order lanes that run in step take neighbouring points; a rotation or a flip keeps them
-  // neighbours.
-  for (std::uint32_t s = 0; s < e.sets; ++s) {
-    const auto first = e.cells.begin() + std::ptrdiff_t(s) * count;
-    std::sort(first, first + count, [&](std::uint32_t a, std::uint32_t b) {
-      return interleave(a % e.columns, a / e.columns) < interleave(b % e.columns, b / e.columns);
-    });
+Sets make_sets(std::uint32_t count, EnsembleDomain domain, std::uint32_t parts) {
+  Ensemble e = *made_once(std::pair(count, domain),
+                          [&] { return make_ensemble({.points = count, .domain = domain}); });
+  deal_parts(e, domain, parts);
+  // In Morton order, within each part, lanes that run in step take neighbouring points; a rotation or a flip
+  // keeps them neighbours.
+  const auto code = [&](std::uint32_t c) { return morton_code(c % e.columns, c / e.columns); };
+  const std::ptrdiff_t points = count / parts;
+  for (auto first = e.cells.begin(); first != e.cells.end(); first += points) {
+    std::sort(first, first + points, [&](std::uint32_t a, std::uint32_t b) { return code(a) < code(b); });
   }
   Sets result{e.sets, {}};
   result.cells.reserve(e.cells.size());
@@ -67,16 +71,6 @@ Sets make_sets(std::uint32_t count, EnsembleDomain domain) {
     result.cells.push_back({border(i, e.columns), border(j, e.rows), width(i, e.columns), width(j, e.rows)});
   }
   return result;
-}
-
-/// The same for all seeds, and a second's work for large sets: made once a program.
-std::shared_ptr<const Sets> known_sets(std::uint32_t count, EnsembleDomain domain) {
-  static std::mutex mutex;
-  static std::map<std::pair<std::uint32_t, EnsembleDomain>, std::shared_ptr<const Sets>> known;
-  const std::lock_guard lock(mutex);
-  auto& sets = known[{count, domain}];
-  if (!sets) sets = std::make_shared<const Sets>(make_sets(count, domain));
-  return sets;
 }
 
 class DomainSampler final : public Sampler {
@@ -89,7 +83,15 @@ class DomainSampler final : public Sampler {
     const auto keys = set_words(seed(), pixel, dimension);
     const bool disk = domain == SampleDomain::disk;
     const Sets& sets = sets_in(domain);
-    const Cell& cell = sets.cells[std::size_t(multiply_high(keys[3], sets.sets)) * count() + index];
+    // A part alone leaves out most cells of its set: which part comes first is random, so that each is
+    // unbiased.
+    const auto [parts, points, part_stride, point_stride] = split();
+    std::uint32_t place = index;
+    if (parts > 1) {
+      place += points * multiply_high(set_words(seed(), pixel, dimension, kPurposeParts)[3], parts);
+      if (place >= count()) place -= count();
+    }
+    const Cell& cell = sets.cells[std::size_t(multiply_high(keys[3], sets.sets)) * count() + place];
     const auto random = pcg4d(pixel, index, dimension, seed());
     const FixedPoint p{cell.x + multiply_high(random[0], cell.width),
                        cell.y + multiply_high(random[1], cell.height)};
@@ -102,7 +104,7 @@ class DomainSampler final : public Sampler {
   }
 
   SamplerTables tables(const std::vector<SampleDomain>& domains) const override {
-    SamplerTables result{layout::kSamplerCapconDomain, {}, {}};
+    SamplerTables result{layout::kSamplerCapconDomain, {0, 0, 0, split().parts}, {}};
     for (const SampleDomain d : {SampleDomain::disk, SampleDomain::square}) {
       if (std::find(domains.begin(), domains.end(), d) == domains.end()) continue;
       result.constants[d == SampleDomain::disk ? 0 : 1] = sets_in(d).sets;
@@ -119,8 +121,9 @@ class DomainSampler final : public Sampler {
   const Sets& sets_in(SampleDomain domain) const {
     const auto d = static_cast<std::size_t>(domain);
     std::call_once(once_[d], [&] {
-      sets_[d] =
-          known_sets(count(), domain == SampleDomain::disk ? EnsembleDomain::disk : EnsembleDomain::square);
+      const EnsembleDomain in = domain == SampleDomain::disk ? EnsembleDomain::disk : EnsembleDomain::square;
+      sets_[d] = made_once(std::tuple(count(), in, split().parts),
+                           [&] { return make_sets(count(), in, split().parts); });
     });
     return *sets_[d];
   }

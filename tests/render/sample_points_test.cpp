@@ -17,6 +17,7 @@ TEST(SamplePoints, DeviceAndHostAgreeToTheBit) {
         if ((name == "ccvt" || name == "capcon-domain") && count > 128) continue;
         const std::uint32_t cut = count % 4 == 0 ? 4 : count % 5 == 0 ? 5 : 1;
         for (const std::uint32_t parts : {1u, cut, count >= 64 && count % 16 == 0 ? 16u : 1u}) {
+          if (parts == 1 && cut > 1 && std::string(fetch) == "storage") continue;  // time
           const auto sampler = make_sampler(name, count, 42, parts);
           const std::uint32_t pixels = count > 1000 ? 3 : 12;
           for (std::uint32_t dimension : {0u, 1u, 3u}) {

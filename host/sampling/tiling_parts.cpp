@@ -1,0 +1,91 @@
+#include "sampling/tiling_parts.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/morton.h"
+#include "base/parallel.h"
+#include "points/spread_partition.h"
+#include "tiling/tile_slots.h"
+#include "tiling/tiling.h"
+
+namespace capcon {
+namespace {
+
+constexpr std::uint64_t kPartitionSeed = 1;
+
+/// Indices of the points part by part, in Morton order within a part.
+std::vector<std::uint32_t> part_order(const std::vector<FixedPoint>& places, std::uint32_t parts) {
+  Points points;
+  for (const FixedPoint p : places) points.push_back(to_double(p));
+  const auto labels = spread_partition(points, {parts, kPartitionSeed});
+  std::vector<std::uint32_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto key = [&](std::uint32_t i) {
+    return std::pair(labels[i], morton_code(places[i].x, places[i].y));
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  return order;
+}
+
+std::uint32_t points_in(const CellPoints& points, std::size_t place) {
+  return points.ranks + (place < points.extra ? 1 : 0);
+}
+
+}  // namespace
+
+std::vector<FixedPoint> parts_of_whole_tilings(const TileSet& set, const GaussianTiling& tiling,
+                                               const CellPoints& points, std::uint32_t parts) {
+  const std::uint32_t colourings = 1u << tiling.size();
+  const std::uint32_t n = tiling.size() * points.ranks + points.extra;
+  std::vector<FixedPoint> result(std::size_t(colourings) * n);
+  parallel_for(colourings, [&](std::size_t colouring) {
+    std::vector<std::uint32_t> colours(tiling.size());
+    for (std::uint32_t v = 0; v < colours.size(); ++v) colours[v] = std::uint32_t(colouring >> v) & 1;
+    std::vector<FixedPoint> places;
+    for (std::size_t i = 0; i < points.cells.size(); ++i) {
+      const std::uint32_t cell = points.cells[i];
+      const auto& tile = set.tiles[tile_of(tiling, colours, set.colours, cell)];
+      for (std::uint32_t r = 0; r < points_in(points, i); ++r) {
+        const FixedPoint origin = tiling.origin(cell), place = tiling.place(tile[r].position);
+        places.push_back({origin.x + place.x, origin.y + place.y});
+      }
+    }
+    const auto order = part_order(places, parts);
+    for (std::uint32_t i = 0; i < n; ++i) result[colouring * n + i] = places[order[i]];
+  });
+  return result;
+}
+
+DealtCells deal_cells(const TileSet& set, const GaussianTiling& tiling, const CellPoints& points,
+                      std::uint32_t parts) {
+  // Where a cell has a point more than others, that is its last slot.
+  TileSlots slots = match_slots(set, points.ranks);
+  if (points.extra > 0) {
+    glm::dvec2 sum(0);
+    double tiles = 0;
+    for (std::size_t t = 0; t < slots.rank.size(); ++t) {
+      if (slots.rank[t].empty()) continue;
+      slots.rank[t].push_back(points.ranks);
+      sum += to_double(set.tiles[t][points.ranks].position);
+      ++tiles;
+    }
+    slots.place.push_back(sum / tiles);
+  }
+  std::vector<FixedPoint> places;
+  std::vector<std::uint32_t> names;
+  for (std::uint32_t i = 0; i < points.cells.size(); ++i) {
+    const FixedPoint origin = tiling.origin(points.cells[i]);
+    for (std::uint32_t s = 0; s < points_in(points, i); ++s) {
+      const FixedPoint place = tiling.place(to_fixed(slots.place[s]));
+      places.push_back({origin.x + place.x, origin.y + place.y});
+      names.push_back(i | s << 16);
+    }
+  }
+  DealtCells result{std::move(slots.rank), {}};
+  for (const std::uint32_t i : part_order(places, parts)) result.order.push_back(names[i]);
+  return result;
+}
+
+}  // namespace capcon
