@@ -22,7 +22,9 @@ struct CellPoints {
 std::vector<FixedPoint> parts_of_whole_tilings(const TileSet& set, const GaussianTiling& tiling,
                                                const CellPoints& points, std::uint32_t parts);
 
-/// The parts of any tiling of a torus with many tiles.
+/// The parts of any tiling of a torus with many tiles. Where a part has as many points in every tile, two or
+/// more, the tiles' points are labelled (tile_labels.h); else the places that the tiles' points have nearly
+/// in common (tile_slots.h) are cut by the partition.
 struct DealtCells {
   std::vector<std::vector<std::uint32_t>> rank;  ///< [tile][slot]: what point of the tile a slot stands for
   std::vector<std::uint32_t> order;  ///< [i]: place in CellPoints::cells | slot << 16, part by part

@@ -41,13 +41,13 @@ TEST(Parts, TheUnionIsTheSet) {
   }
 }
 
-/// Of the parts of 40 pixels.
+/// Of the parts of 20 pixels.
 SubsetSpacing spacing_of(const char* name, std::uint32_t count, std::uint32_t parts) {
   const auto sampler = make_sampler(name, count, 5, parts);
   SubsetSpacing total{0, 9};
   std::vector<std::uint32_t> labels(count);
   for (std::uint32_t i = 0; i < count; ++i) labels[i] = i / (count / parts);
-  constexpr int kPixels = 40;
+  constexpr int kPixels = 20;
   for (int pixel = 0; pixel < kPixels; ++pixel) {
     Points points;
     for (std::uint32_t i = 0; i < count; ++i) points.push_back(to_double(sampler->sample(pixel, i, 0)));
@@ -72,6 +72,8 @@ TEST(Parts, OfTilesAndCcvtSetsAreSpread) {
         Case{"capcon", 16, 8, 0.78, 0.64}, Case{"capcon", 64, 2, 0.72, 0.70},
         Case{"capcon", 64, 4, 0.79, 0.75}, Case{"capcon", 64, 8, 0.79, 0.73},
         Case{"capcon", 64, 16, 0.85, 0.77}, Case{"capcon", 64, 32, 0.85, 0.75},
+        Case{"capcon", 128, 8, 0.78, 0.71}, Case{"capcon", 1024, 2, 0.70, 0.69},
+        Case{"capcon", 1024, 8, 0.78, 0.75}, Case{"capcon", 96, 4, 0.72, 0.66},
         Case{"capcon", 256, 16, 0.76, 0.66}, Case{"capcon", 1024, 64, 0.84, 0.78}}) {
     const SubsetSpacing s = spacing_of(c.name, c.count, c.parts);
     EXPECT_GT(s.mean, c.mean) << c.name << " " << c.count << " in " << c.parts;
