@@ -64,6 +64,34 @@ TEST(DirectLighting, SampleAddressesAreAsAgreed) {
   }
 }
 
+TEST(DirectLighting, EachImageSampleHasItsOwnPart) {
+  // As above, but only the half y < 0 of the one pixel's view is floor; through the rest the sky is seen.
+  const std::string wall = matte(0) +
+                           "Shape \"trianglemesh\" \"point3 P\" [2 -9e4 0 2 9e4 0 2 9e4 9e4 2 -9e4 9e4] "
+                           "\"integer indices\" [0 1 2 0 2 3]\n";
+  Scene scene = test::parse_world(matte(1) + test::within("Translate 0 -50 0 " + kFloor) + wall + kSky);
+  scene.film = {1, 1, ""};
+  scene.camera = test::camera_at({0, 0, 1}, {0, 0, -1}, 90);
+  const glm::dmat4& m = scene.camera.camera_to_world;
+  const Reference reference(scene);
+  DirectLightingJob job = direct_job(4, Strategy::lights);
+  job.image_samples = 8;
+  job.position = PixelPosition::jittered;
+  for (job.seed = 1; job.seed < 9; ++job.seed) {
+    const auto places = make_sampler(job.sampler, 8, job.seed),
+               points = make_sampler(job.sampler, 32, job.seed, 8);
+    double value = 0;
+    for (std::uint32_t p = 0; p < 8; ++p) {
+      const FixedPoint place = places->sample(0, p, 1);
+      const double x = 2 * (place.x / 4294967296.0) - 1, y = 1 - 2 * (place.y / 4294967296.0);
+      const bool floor = m[0][1] * x + m[1][1] * y < 0;
+      for (std::uint32_t i = 0; i < 4; ++i)
+        value += !floor || points->sample(0, 4 * p + i, 3, SampleDomain::disk).x < 0x80000000u;
+    }
+    EXPECT_NEAR(reference.render(job).image.at(0, 0, 0), value / 32, 1e-6) << job.seed;
+  }
+}
+
 TEST(DirectLighting, TheComponentIsChosenByItsOwnPair) {
   // A smooth mirror over a base, before a sky that is black but for the mirror direction's half: samples of
   // the base alone are worth the same each, those of the coat another: count the former.
@@ -163,6 +191,11 @@ TEST(DirectLighting, ALightThatIsFlushWithAWallIsNotHidden) {
   const std::string ceiling = test::within(matte(0) + "Translate 0 0 2 Shape \"disk\" \"float radius\" 30 ");
   const Scene scene = look_at_origin(matte(1) + kFloor + ceiling + lamp(kDown));
   EXPECT_NEAR(radiance(scene, direct_job(4096, Strategy::lights)).x, kOfDisk, 1e-5);
+  // Yet a shade just before it hides it: all but 2^-17 of the way is looked at.
+  const std::string shade =
+      test::within(matte(0) + "Translate 0 0 1.9999 Shape \"disk\" \"float radius\" 2 ");
+  const Scene shaded = look_at_origin(matte(1) + kFloor + shade + lamp(kDown));
+  EXPECT_EQ(radiance(shaded, direct_job(64, Strategy::lights)), glm::dvec3(0));
 }
 
 TEST(DirectLighting, LightsAreSeen) {

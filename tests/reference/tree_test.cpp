@@ -205,6 +205,10 @@ TEST(Tree, OneIgnoredPrimitiveAndRangeLimits) {
   EXPECT_TRUE(tree.occluded(down, 2));  // the end of the range belongs to it
   EXPECT_FALSE(tree.occluded(down, 1.9999999999));
   EXPECT_FALSE(tree.occluded(down, 10, {0}));
+  EXPECT_FALSE(tree.occluded(down, 10, {reference::Ignored::kNone, 0, 1}));
+  EXPECT_TRUE(tree.occluded(down, 10, {reference::Ignored::kNone, 1, 7}));
+  EXPECT_TRUE(tree.closest(down).has_value());
+  EXPECT_FALSE(tree.closest(down, {0}).has_value());
   EXPECT_FALSE(tree.occluded({{0, 0, 0}, {0, -1, 0}}, 10));  // its beginning does not
   EXPECT_EQ(tree.scale(), 1);
 }
