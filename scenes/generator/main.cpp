@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "generator/atelier.h"
 #include "generator/courtyard.h"
+#include "generator/lights.h"
 #include "generator/nave.h"
 #include "generator/terrace.h"
 
@@ -46,6 +47,7 @@ int run(int argc, char** argv) {
   write(scenes::atelier(), folder);
   write(scenes::terrace(), folder);
   scenes::write_terrace_data(folder);
+  scenes::write_lights_data(folder);
   return 0;
 }
 }  // namespace
