@@ -43,6 +43,7 @@ TEST(Sky, HoldsTheSunThatItDescribes) {
   const double disk = 2 * kPi * (1 - std::cos(sky.sun_radius * kPi / 180));
   for (int c = 0; c < 3; ++c) EXPECT_NEAR((with - without)[c] / (disk * sky.sun_radiance[c]), 1, 0.01) << c;
   const double share = luminance(with - without) / luminance(with);
+  EXPECT_NEAR(luminance(with), 6.11, 0.02);
   EXPECT_NEAR(share, 0.37, 0.01);  // docs/scenes.md
 }
 
