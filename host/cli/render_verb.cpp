@@ -229,8 +229,8 @@ void add_render_verb(CLI::App& app) {
   verb->footer(
       "Examples:\n"
       "  capcon render scenes/courtyard.pbrt --radius 2 --samples 64 -o courtyard.exr\n"
-      "  capcon render scenes/atelier.pbrt --integrator direct --split 4x16 --pixel-samples jittered -o "
-      "atelier.exr\n"
+      "  capcon render scenes/direct.pbrt --integrator direct --split 4x16 --pixel-samples jittered -o "
+      "direct.exr\n"
       "  capcon render scene.pbrt --sampler sobol-owen --device reference -o reference.exr\n"
       "  capcon render scene.pbrt --explain");
   verb->add_option("scene", o->scene, "Scene: .pbrt (v4, v3 or v2 text), .ply or .obj")->required();
