@@ -11,6 +11,7 @@
 #include "cli/cold_explain.h"
 #include "cli/verbs.h"
 #include "reference/reference.h"
+#include "render/features.h"
 #include "render/renderer.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
@@ -28,15 +29,16 @@ extern "C" void request_stop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-constexpr double kCourtyardRadius = 2;    // metres
-constexpr double kDefaultPixels = 6000;  // a study of all samplers in two minutes on two cores
+constexpr double kCourtyardRadius = 2;   // metres
+constexpr double kDefaultPixels = 6000;  // a study of all samplers in two to four minutes on two cores
 
 struct Options {
   StudySettings settings;
   RunnerOptions runner;
   std::string scene;
-  std::string directory = "report/ambient-occlusion";
+  std::string directory;
   std::string samples = "1,2,4..256";
+  std::string position = "centre";
   std::string device = "best";
   bool no_close_ups = false;
   bool json = false;
@@ -49,7 +51,7 @@ std::string command_line() {
   try {
     bytes = read_file("/proc/self/cmdline");
   } catch (const InputError&) {
-    return line + " study ambient-occlusion";
+    return line + " study";
   }
   std::size_t begin = bytes.find('\0') + 1;
   while (begin < bytes.size()) {
@@ -62,38 +64,65 @@ std::string command_line() {
   return line;
 }
 
-StudyDevice make_device(Scene scene, const std::string& device, int width, int height) {
+StudyDevice make_device(Scene scene, const std::string& device, bool shading, int width, int height) {
   scene.film.width = width;
   scene.film.height = height;
   if (device == "reference") {
     auto reference = std::make_shared<Reference>(scene);
-    return {[reference](const AmbientOcclusionJob& job) { return reference->render(job); },
+    return {[reference](const Job& job) { return reference->render(job); },
             {{"name", "reference (double precision on the CPU)"}}};
   }
   RendererOptions options;
   options.device = device;
+  options.shading = shading;
   auto renderer = std::make_shared<Renderer>(scene, options);
-  return {[renderer](const AmbientOcclusionJob& job) { return renderer->render(job); },
-          renderer->device_info()};
+  return {[renderer](const Job& job) { return renderer->render(job); }, renderer->device_info()};
+}
+
+/// The shipped scene of each study.
+std::string shipped_scene(Integral integral) {
+  if (integral == Integral::ambient_occlusion) return "scenes/courtyard.pbrt";
+  return integral == Integral::direct ? "scenes/direct.pbrt" : "scenes/splitting.pbrt";
+}
+
+/// The numbers of image samples that N points can be split into.
+std::vector<std::uint32_t> splits_of(std::uint32_t combined) {
+  std::vector<std::uint32_t> counts;
+  for (std::uint32_t p = 1; p <= combined; ++p) {
+    if (combined % p == 0) counts.push_back(p);
+  }
+  return counts;
+}
+
+void check_samplers(StudySettings& s) {
+  if (s.samplers.empty()) {
+    s.samplers = s.integral == Integral::splitting
+                     ? std::vector<std::string>{"capcon",        "capcon-naive", "capcon-naive2",
+                                                "capcon-domain", "sobol-xor",    "sobol-owen"}
+                     : sampler_names();
+  }
+  for (std::size_t i = 0; i < s.samplers.size(); ++i) {
+    const std::string& name = s.samplers[i];
+    // An unknown name is told before the work.
+    make_sampler(s.integral == Integral::splitting ? parse_variant(name).sampler : name, 1, 1);
+    const auto before = s.samplers.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(s.samplers.begin(), before, name) != before)
+      throw InputError(fmt::format("--samplers names {} twice", name));
+  }
 }
 
 void run(Options& o) {
   StudySettings& s = o.settings;
-  if (s.samplers.empty()) s.samplers = sampler_names();
-  for (std::size_t i = 0; i < s.samplers.size(); ++i) {
-    make_sampler(s.samplers[i], 1, 1);  // an unknown name is told before the work
-    if (std::find(s.samplers.begin(), s.samplers.begin() + static_cast<std::ptrdiff_t>(i), s.samplers[i]) !=
-        s.samplers.begin() + static_cast<std::ptrdiff_t>(i)) {
-      throw InputError(fmt::format("--samplers names {} twice", s.samplers[i]));
-    }
-  }
-  s.samples = parse_samples(o.samples);
+  check_samplers(s);
+  s.position = o.position == "jittered" ? PixelPosition::jittered : PixelPosition::centre;
+  s.samples = s.integral == Integral::splitting ? splits_of(s.combined) : parse_samples(o.samples);
   s.close_ups = !o.no_close_ups;
   s.command = command_line();
-  s.scene = o.scene.empty() ? "scenes/courtyard.pbrt (shipped)" : o.scene;
-  const std::string scene_path =
-      o.scene.empty() ? shipped_file("scenes/courtyard.pbrt").string() : o.scene;
-  Scene scene = read_scene(scene_path);
+  const std::string shipped = shipped_scene(s.integral);
+  s.scene = o.scene.empty() ? shipped + " (shipped)" : o.scene;
+  const std::string scene_path = o.scene.empty() ? shipped_file(shipped).string() : o.scene;
+  const Job example = make_job(s, {s.samplers.front(), s.samples.front(), 1});
+  Scene scene = read_scene(scene_path, needed_reading(example, false));
   if (!o.runner.quiet) {
     for (const std::string& warning : scene.warnings) fmt::print(stderr, "capcon: warning: {}\n", warning);
   }
@@ -111,16 +140,16 @@ void run(Options& o) {
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
   std::optional<Explanation> explanation;
+  const bool shading = s.integral != Integral::ambient_occlusion;
   if (o.device != "reference") {
-    AmbientOcclusionJob job;
-    job.radius = s.radius;
     RendererOptions options;
     options.device = o.device;
+    const Job job = make_job(s, {s.samplers.front(), s.samples[s.samples.size() / 2], 1});
     explanation = cold_explain(scene_path, s.width, s.height, job, options, 3);
   }
-  const StudyReport report = ambient_occlusion_study(
-      s, [&](int width, int height) { return make_device(scene, o.device, width, height); }, o.runner,
-      explanation);
+  const StudyReport report = study_report(
+      s, [&](int width, int height) { return make_device(scene, o.device, shading, width, height); },
+      o.runner, explanation);
   if (o.json) {
     fmt::print("{}\n", report.json.dump(2));
   } else {
@@ -140,40 +169,20 @@ void run(Options& o) {
   }
 }
 
-}  // namespace
-
-void add_study_verb(CLI::App& app) {
-  CLI::App* verb =
-      app.add_subcommand("study", "error against run time: samplers x samples x seeds, and a report");
-  verb->require_subcommand(1);
-  CLI::App* study = verb->add_subcommand("ambient-occlusion", "ambient occlusion of one scene");
-  auto o = std::make_shared<Options>();
+/// What all studies take.
+void add_options(CLI::App* study, const std::shared_ptr<Options>& o) {
   StudySettings& s = o->settings;
-  study->add_option("scene", o->scene, ".pbrt, .ply or .obj (default: the shipped courtyard)");
+  o->directory = "report/" + std::string(words_of(s.integral).slug);
+  study->add_option("scene", o->scene,
+                    fmt::format(".pbrt, .ply or .obj (default: the shipped {})", shipped_scene(s.integral)));
   study
       ->add_option("-o,--output", o->directory,
                    "folder for report.html, runs.jsonl, study.json, reference.exr")
       ->capture_default_str();
-  study
-      ->add_option("--samplers", s.samplers,
-                   "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain (default: all)")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  study->add_option("--samples", o->samples, "samples a pixel: counts and doubling ranges")
-      ->capture_default_str();
   study->add_option("--seeds", s.seeds, "seeds 1 ... N; intervals need two at least")
       ->check(CLI::Range(1u, 4096u))
       ->capture_default_str();
-  study
-      ->add_option("--radius", s.radius,
-                   "occluders farther away do not count (default: 2 in the courtyard, else 1/20 of the "
-                   "scene's diagonal)")
-      ->check([](const std::string& text) {
-        char* end = nullptr;
-        return std::strtod(text.c_str(), &end) > 0 && *end == '\0' ? std::string()
-                                                                   : text + " is no positive number, nor inf";
-      });
-  study->add_option("--width", s.width, "pixels (default: about 10,000 in all, in the film's shape)")
+  study->add_option("--width", s.width, "pixels (default: about 6,000 in all, in the film's shape)")
       ->check(CLI::Range(1, 16384));
   study->add_option("--height", s.height, "pixels")->check(CLI::Range(1, 16384));
   study
@@ -190,6 +199,71 @@ void add_study_verb(CLI::App& app) {
   study->add_flag("--json", o->json, "print study.json instead of tables");
   study->add_flag("--quiet", o->runner.quiet, "no progress and no messages");
   study->callback([o] { run(*o); });
+}
+
+void add_samples(CLI::App* study, const std::shared_ptr<Options>& o) {
+  study
+      ->add_option("--samplers", o->settings.samplers,
+                   "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  study->add_option("--samples", o->samples, "samples a pixel: counts and doubling ranges")
+      ->capture_default_str();
+}
+
+std::shared_ptr<Options> options_for(Integral integral) {
+  auto o = std::make_shared<Options>();
+  o->settings.integral = integral;
+  return o;
+}
+
+}  // namespace
+
+void add_study_verb(CLI::App& app) {
+  CLI::App* verb =
+      app.add_subcommand("study", "error against run time: samplers x samples x seeds, and a report");
+  verb->require_subcommand(1);
+  {
+    CLI::App* study = verb->add_subcommand("ambient-occlusion", "ambient occlusion of one scene");
+    auto o = options_for(Integral::ambient_occlusion);
+    add_options(study, o);
+    add_samples(study, o);
+    study
+        ->add_option("--radius", o->settings.radius,
+                     "occluders farther away do not count (default: 2 in the courtyard, else 1/20 of the "
+                     "scene's diagonal)")
+        ->check([](const std::string& text) {
+          char* end = nullptr;
+          return std::strtod(text.c_str(), &end) > 0 && *end == '\0'
+                     ? std::string()
+                     : text + " is no positive number, nor inf";
+        });
+  }
+  {
+    CLI::App* study = verb->add_subcommand("direct", "direct lighting with multiple importance sampling");
+    auto o = options_for(Integral::direct);
+    add_options(study, o);
+    add_samples(study, o);
+  }
+  {
+    CLI::App* study = verb->add_subcommand(
+        "splitting", "trajectory splitting: image samples x integrator samples, N in all");
+    auto o = options_for(Integral::splitting);
+    add_options(study, o);
+    study->add_option("--combined", o->settings.combined, "N: points a pixel on each light and for the BSDF")
+        ->check(CLI::Range(1u, 1024u))
+        ->capture_default_str();
+    study
+        ->add_option(
+            "--samplers", o->settings.samplers,
+            "samplers; X-naive: X without partition, X-naive2: the same with twice the points (default: "
+            "capcon, its naive variants, capcon-domain, sobol-xor, sobol-owen)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    study->add_option("--pixel-samples", o->position, "centre: shows the integral's error alone; jittered")
+        ->check(CLI::IsMember({"centre", "jittered"}))
+        ->capture_default_str();
+  }
 }
 
 }  // namespace capcon::cli

@@ -20,6 +20,12 @@ Image difference(const Image& a, const Image& b) {
   return result;
 }
 
+/// 4 and 16 samples; of splits the one in the middle.
+std::vector<std::uint32_t> close_up_counts(const StudySettings& settings) {
+  if (settings.integral != Integral::splitting) return {4, 16};
+  return {settings.samples[settings.samples.size() / 2]};
+}
+
 float common_exposure(const std::vector<CloseUp>& views) {
   std::vector<float> all;
   for (const CloseUp& view : views)
@@ -71,31 +77,32 @@ CloseUps make_close_ups(const StudySettings& settings, const MakeStudyDevice& ma
   const StudyDevice device = make_device(width, height);
 
   CloseUps result;
-  result.samples = {4, 16};
+  result.samples = close_up_counts(settings);
   result.picture_samples = kPictureSamples;
   double done = 0;
   Progress progress("close-ups", kPictureSamples + 20.0 * static_cast<double>(settings.samplers.size()),
                     options.quiet);
-  const auto render = [&](const AmbientOcclusionJob& job) {
+  const auto render = [&](const Job& job, std::uint32_t samples) {
     if (options.interrupted())
       throw Interrupted("stopped; all runs are kept, and the same command makes the report");
     Image image = device.render(job).image;
-    progress.update(done += job.samples);
+    progress.update(done += samples);
     return image;
   };
   StudySettings picture = settings;
   picture.reference_samples = kPictureSamples;
-  result.picture = render(make_reference_job(picture, 0));
+  result.picture = render(make_reference_job(picture, 0), kPictureSamples);
   Image errors(width, height, 1);
   std::vector<Image> images;
   for (const std::uint32_t samples : result.samples) {
     for (const std::string& sampler : settings.samplers) {
-      images.push_back(render(make_job(settings, {sampler, samples, result.seed})));
+      images.push_back(render(make_job(settings, {sampler, samples, result.seed}), samples));
       result.views.push_back({sampler, samples, {}, {}, 0});
       if (samples != result.samples.back()) continue;
-      for (std::size_t i = 0; i < errors.pixels.size(); ++i) {
+      const int channels = result.picture.channels;
+      for (std::size_t i = 0; i < result.picture.pixels.size(); ++i) {
         const float d = images.back().pixels[i] - result.picture.pixels[i];
-        errors.pixels[i] += d * d;
+        errors.pixels[i / channels] += d * d;
       }
     }
   }

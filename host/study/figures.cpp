@@ -182,6 +182,17 @@ Figures make_figures(const StudyResult& result) {
       }
     }
   }
+  // In a study of splitting a naive variant stands beside what it is naive of.
+  for (const std::string& name : result.settings.samplers) {
+    const Variant variant = parse_variant(name);
+    if (variant.partition || !columns.contains(variant.sampler)) continue;
+    for (std::size_t i = 0; i < columns[variant.sampler].size(); ++i) {
+      Ratio ratio = ratio_of(columns[name], columns[variant.sampler], i);
+      ratio.sampler = name;
+      ratio.baseline = variant.sampler;
+      if (!figures.ratio(name, variant.sampler, ratio.samples)) figures.ratios.push_back(ratio);
+    }
+  }
   return figures;
 }
 

@@ -51,7 +51,7 @@ json to_json(const StudyResult& result, const Figures& figures) {
                       {"equal_error_beyond", r.beyond},
                       {"equal_time_mse_ratio", interval(r.equal_time)}});
   }
-  return {{"study", "ambient-occlusion"},
+  return {{"study", words_of(result.settings.integral).slug},
           {"version", result.version},
           {"started", result.started},
           {"settings", to_json(result.settings)},

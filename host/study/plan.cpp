@@ -28,17 +28,51 @@ std::vector<PlannedRun> plan_runs(const StudySettings& settings) {
   return runs;
 }
 
-AmbientOcclusionJob make_job(const StudySettings& settings, const PlannedRun& run) {
-  return {settings.radius, run.sampler, run.samples, run.seed, PixelPosition::centre};
+namespace {
+
+DirectLightingJob direct_job(const StudySettings& settings, std::uint32_t image, std::uint32_t points,
+                             const std::string& sampler, std::uint32_t seed) {
+  DirectLightingJob job;
+  job.sampler = sampler;
+  job.image_samples = image;
+  job.integrator_samples = points;
+  job.seed = seed;
+  job.position = settings.position;
+  return job;
 }
 
-AmbientOcclusionJob make_reference_job(const StudySettings& settings, std::uint32_t group) {
-  return {settings.radius, kReferenceSampler, settings.reference_samples, kReferenceSeed + group,
-          PixelPosition::centre};
+}  // namespace
+
+Job make_job(const StudySettings& settings, const PlannedRun& run) {
+  if (settings.integral == Integral::ambient_occlusion)
+    return AmbientOcclusionJob{settings.radius, run.sampler, run.samples, run.seed, settings.position};
+  if (settings.integral == Integral::direct)
+    return direct_job(settings, 1, run.samples, run.sampler, run.seed);
+  const Variant variant = parse_variant(run.sampler);
+  DirectLightingJob job = direct_job(settings, run.samples, variant.factor * settings.combined / run.samples,
+                                     variant.sampler, run.seed);
+  job.partition = variant.partition;
+  return job;
+}
+
+Job make_reference_job(const StudySettings& settings, std::uint32_t group) {
+  const std::uint32_t seed = kReferenceSeed + group;
+  if (settings.integral == Integral::ambient_occlusion)
+    return AmbientOcclusionJob{settings.radius, kReferenceSampler, settings.reference_samples, seed,
+                               settings.position};
+  // At pixel centres one image sample is all there is; else as many as points keep the same total.
+  const bool centre = settings.position == PixelPosition::centre;
+  const std::uint32_t points =
+      centre ? settings.reference_samples : std::max(1u, settings.reference_samples / 64);
+  return direct_job(settings, centre ? 1 : settings.reference_samples / points, points, kReferenceSampler,
+                    seed);
 }
 
 nlohmann::json to_json(const StudySettings& s) {
-  return {{"scene", s.scene},
+  return {{"integral", words_of(s.integral).slug},
+          {"combined", s.combined},
+          {"pixel_samples", s.position == PixelPosition::centre ? "centre" : "jittered"},
+          {"scene", s.scene},
           {"scene_fingerprint", fmt::format("{:016x}", s.scene_fingerprint)},
           {"points_fingerprint", fmt::format("{:016x}", s.points_fingerprint)},
           {"unique_triangles", s.unique_triangles},
@@ -62,6 +96,11 @@ std::string settings_hash(const StudySettings& settings, const nlohmann::json& d
   relevant["device"] = device;
   relevant["version"] = version();
   return fmt::format("{:016x}", fnv1a64(relevant.dump()));
+}
+
+std::string count_label(const StudySettings& settings, std::uint32_t samples) {
+  return settings.integral == Integral::splitting ? fmt::format("{}x{}", samples, settings.combined / samples)
+                                                  : fmt::format("{}", samples);
 }
 
 std::vector<std::uint32_t> parse_samples(const std::string& text) {

@@ -11,7 +11,7 @@
 namespace capcon {
 
 /// Does a job: the device, the oracle, or a test's stand-in.
-using RenderJob = std::function<RenderResult(const AmbientOcclusionJob&)>;
+using RenderJob = std::function<RenderResult(const Job&)>;
 
 /// A converged image that knows how far it is itself from the truth.
 struct ReferenceImage {

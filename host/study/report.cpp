@@ -48,14 +48,14 @@ std::string html_report(const StudyResult& result, const Figures& figures,
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-      "<meta name=\"color-scheme\" content=\"light dark\"><title>Ambient occlusion: error against run "
+      "<meta name=\"color-scheme\" content=\"light dark\"><title>{}: error against run "
       "time</title>"
       "<style>{}</style></head><body>\n<a class=\"skip\" href=\"#charts\">To the charts</a>"
-      "<header><p class=\"kicker\">capcon study · ambient occlusion</p><h1>Error against run time, sampler "
+      "<header><p class=\"kicker\">capcon study · {}</p><h1>Error against run time, sampler "
       "by sampler</h1>"
       "<p class=\"small\">{} · {} × {} pixels · {} instanced triangles · {} · {}</p></header>\n<main>\n",
-      report_style(), escape(s.scene), s.width, s.height, grouped(s.instanced_triangles), escape(device),
-      escape(result.started));
+      words_of(s.integral).title, report_style(), words_of(s.integral).title, escape(s.scene), s.width,
+      s.height, grouped(s.instanced_triangles), escape(device), escape(result.started));
   const auto section = [&](const char* id, const char* title, const std::string& body) {
     html += fmt::format("<section id=\"{}\"><h2>{}</h2>\n{}</section>\n", id, title, body);
   };

@@ -9,7 +9,7 @@ namespace capcon {
 namespace {
 
 /// The whole picture with the region framed.
-std::string overview(const CloseUps& c) {
+std::string overview(const CloseUps& c, const IntegralWords& words) {
   const Image& p = c.picture;
   return fmt::format(
       "<figure class=\"overview\"><div class=\"framed\">{}<svg viewBox=\"0 0 {} {}\" "
@@ -17,8 +17,8 @@ std::string overview(const CloseUps& c) {
       "x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/><rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" "
       "height=\"{}\"/></svg></div><figcaption>The scene, {} samples a pixel; framed: the region of the "
       "close-ups.</figcaption></figure>",
-      embedded_image(p, 1, "The scene's ambient occlusion, converged"), p.width, p.height, c.region.x,
-      c.region.y, c.region.width, c.region.height, c.region.x, c.region.y, c.region.width, c.region.height,
+      embedded_image(p, 1, std::string(words.picture)), p.width, p.height, c.region.x, c.region.y,
+      c.region.width, c.region.height, c.region.x, c.region.y, c.region.width, c.region.height,
       c.picture_samples);
 }
 
@@ -31,7 +31,7 @@ std::string view(const Image& image, float exposure, const std::string& alt, con
 
 std::string report_close_ups(const StudySettings& settings, const CloseUps& c) {
   std::string html =
-      "<div class=\"pictures\">" + overview(c) +
+      "<div class=\"pictures\">" + overview(c, words_of(settings.integral)) +
       fmt::format(
           "<figure class=\"overview\"><div class=\"framed\">{}</div><figcaption>The framed region, the "
           "reference for the close-ups.</figcaption></figure></div>",
@@ -48,10 +48,11 @@ std::string report_close_ups(const StudySettings& settings, const CloseUps& c) {
                "MSE " + scientific(v.mse));
     }
     html += fmt::format(
-        "<h3>{} samples a pixel</h3><div class=\"scroll\" role=\"region\" tabindex=\"0\" "
+        "<h3>{} {}</h3><div class=\"scroll\" role=\"region\" tabindex=\"0\" "
         "aria-label=\"Close-ups at "
         "{} samples\"><div class=\"views\" style=\"--n:{}\">{}{}</div></div>",
-        samples, samples, settings.samplers.size() + 1, renders, differences);
+        samples, words_of(settings.integral).counts, samples, settings.samplers.size() + 1, renders,
+        differences);
   }
   return html +
          fmt::format(

@@ -18,8 +18,13 @@ std::string what_ran(const StudyResult& result, const Figures& figures) {
   };
   item("scene", fmt::format("{}: {} triangles, {} with instances", s.scene, grouped(s.unique_triangles),
                             grouped(s.instanced_triangles)));
-  item("image", fmt::format("{} × {} pixels, image samples at pixel centres", s.width, s.height));
-  item("radius", std::isfinite(s.radius) ? fmt::format("{:g} scene units", s.radius) : "unlimited");
+  item("image",
+       fmt::format("{} × {} pixels, image samples {}", s.width, s.height,
+                   s.position == PixelPosition::centre ? "at pixel centres" : "at points of the sampler"));
+  if (s.integral == Integral::ambient_occlusion)
+    item("radius", std::isfinite(s.radius) ? fmt::format("{:g} scene units", s.radius) : "unlimited");
+  if (s.integral == Integral::splitting)
+    item("points a pixel", fmt::format("{} for each light and the BSDF", s.combined));
   item("runs", fmt::format("{} samplers × {} sample counts × {} seeds (1 … {}) = {} renders",
                            s.samplers.size(), s.samples.size(), s.seeds, s.seeds, result.records.size()));
   item("reference",
@@ -36,8 +41,6 @@ std::string what_ran(const StudyResult& result, const Figures& figures) {
 
 constexpr std::string_view kFormulas = R"(<h3>How each figure is computed</h3>
 <dl>
-<dt>the integral</dt><dd>A(x, n, r) = (1/π) ∫ V(x, ω, r) |cos θ| dω over the hemisphere of n; V is 0 where a surface lies within r
-along ω, else 1. Directions are cosine-weighted through the concentric map, so a pixel's estimate is the mean of V.</dd>
 <dt>reference</dt><dd>G independent groups of R samples each; the image is their mean R̄. Its expected squared error is
 e = mean over pixels of s² / G, with s² a pixel's sample variance over the groups.</dd>
 <dt>MSE</dt><dd>of one run: mean over all pixels of (I − R̄)², less e: the expectation of (I − R̄)² is the true MSE plus e. Over seeds:
@@ -62,7 +65,11 @@ that slows down does so for all samplers alike.</dd>
 }  // namespace
 
 std::string report_methods(const StudyResult& result, const Figures& figures) {
-  return what_ran(result, figures) + std::string(kFormulas);
+  std::string formulas(kFormulas);
+  const std::string integral =
+      fmt::format("<dt>the integral</dt><dd>{}</dd>\n", words_of(result.settings.integral).formula);
+  formulas.insert(formulas.find("<dt>reference</dt>"), integral);
+  return what_ran(result, figures) + formulas;
 }
 
 }  // namespace capcon

@@ -46,7 +46,7 @@ std::string mse_table(const StudyResult& result, const Figures& figures) {
       const Cell* c = find_cell(curve, n);
       if (c && c->sure) lowest = std::min(lowest, c->mse.value);
     }
-    std::vector<std::string> row = {fmt::format("{}", n)};
+    std::vector<std::string> row = {count_label(result.settings, n)};
     for (const Curve& curve : figures.curves) {
       const Cell* c = find_cell(curve, n);
       row.push_back(!c         ? kNone
@@ -82,7 +82,7 @@ std::string slope_table(const StudyResult& result, const Figures& figures) {
 std::string time_table(const StudyResult& result, const Figures& figures) {
   HtmlTable table("Device time of a render; below it the time to make the points", head("samples", result));
   for (const std::uint32_t n : result.settings.samples) {
-    std::vector<std::string> row = {fmt::format("{}", n)};
+    std::vector<std::string> row = {count_label(result.settings, n)};
     for (const Curve& curve : figures.curves) {
       const Cell* c = find_cell(curve, n);
       row.push_back(!c ? kNone
@@ -98,7 +98,7 @@ std::string equal_error_table(const StudyResult& result, const Figures& figures,
   HtmlTable table(fmt::format("Equal error: samples needed to be as good as {} at n samples", baseline),
                   head("n", result, baseline));
   for (const std::uint32_t n : result.settings.samples) {
-    std::vector<std::string> row = {fmt::format("{}", n)};
+    std::vector<std::string> row = {count_label(result.settings, n)};
     for (const Curve& curve : figures.curves) {
       if (curve.sampler == baseline) continue;
       const Ratio* r = figures.ratio(curve.sampler, baseline, n);
@@ -118,7 +118,7 @@ std::string equal_time_table(const StudyResult& result, const Figures& figures, 
       fmt::format("Equal time: MSE beside that of {}, in the device time its n samples take", baseline),
       head("n", result, baseline));
   for (const std::uint32_t n : result.settings.samples) {
-    std::vector<std::string> row = {fmt::format("{}", n)};
+    std::vector<std::string> row = {count_label(result.settings, n)};
     for (const Curve& curve : figures.curves) {
       if (curve.sampler == baseline) continue;
       const Ratio* r = figures.ratio(curve.sampler, baseline, n);
@@ -132,6 +132,8 @@ std::string equal_time_table(const StudyResult& result, const Figures& figures, 
 }  // namespace
 
 std::string report_tables(const StudyResult& result, const Figures& figures) {
+  if (result.settings.integral == Integral::splitting)
+    return mse_table(result, figures) + time_table(result, figures);
   std::string html =
       mse_table(result, figures) + slope_table(result, figures) +
       "<p class=\"small\"><span class=\"better\">▼ better</span> and <span class=\"worse\">▲ worse</span> "

@@ -75,7 +75,7 @@ StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
   const std::string hash = settings_hash(settings, device.info);
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   RunLog log(options.directory / "runs.jsonl",
-             {{"study", "ambient-occlusion"},
+             {{"study", words_of(settings.integral).slug},
               {"format", 1},
               {"settings_hash", hash},
               {"settings", to_json(settings)},
@@ -123,7 +123,8 @@ StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
       done += run.samples + kCostOfARender;
       continue;
     }
-    if (warm.insert(run.sampler).second) device.render(make_job(settings, {run.sampler, 1, 0}));
+    if (warm.insert(run.sampler).second)
+      device.render(make_job(settings, {run.sampler, settings.samples.front(), 0}));
     RunRecord record = measure(run, settings, device.render, result.reference);
     log.append(record);
     result.records.push_back(std::move(record));

@@ -36,6 +36,28 @@ void add_shape(Hash& hash, const Shape& s) {
   hash.add(s.mesh);
   for (const double v : {s.radius, s.height, s.inner_radius}) hash.add(v);
   hash.add(s.to_world);
+  hash.add(s.material);
+  hash.add(s.area_light);
+  hash.add(s.reverse_orientation);
+}
+
+void add_entity(Hash& hash, const Entity& entity) {
+  const auto text = [&](const std::string& s) { hash.add(std::span<const char>(s)); };
+  text(entity.type);
+  text(entity.name);
+  hash.add(entity.to_world);
+  hash.add(entity.image);
+  for (const auto& [name, entry] : entity.parameters.entries) {
+    text(name);
+    text(entry.type);
+    if (const auto* numbers = std::get_if<std::vector<double>>(&entry.value)) {
+      hash.add(std::span<const double>(*numbers));
+    } else if (const auto* words = std::get_if<std::vector<std::string>>(&entry.value)) {
+      for (const std::string& word : *words) text(word);
+    } else {
+      for (const bool flag : std::get<std::vector<bool>>(entry.value)) hash.add(flag);
+    }
+  }
 }
 
 struct Box {
@@ -81,6 +103,15 @@ std::uint64_t fingerprint(const Scene& scene) {
     hash.add(std::span<const glm::vec3>(mesh.positions));
     hash.add(std::span<const glm::uvec3>(mesh.triangles));
   }
+  for (const TriangleMesh& mesh : scene.meshes) {
+    hash.add(std::span<const glm::vec3>(mesh.normals));
+    hash.add(std::span<const glm::vec2>(mesh.uvs));
+  }
+  for (const auto* entities : {&scene.materials, &scene.lights, &scene.area_lights, &scene.textures}) {
+    for (const Entity& entity : *entities) add_entity(hash, entity);
+  }
+  for (const SceneImage& image : scene.images) hash.add(std::span<const float>(image.image.pixels));
+  for (const Shape& s : scene.hidden_shapes) add_shape(hash, s);
   for (const Shape& s : scene.shapes) add_shape(hash, s);
   for (const Object& object : scene.objects) {
     hash.add(object.shapes.size());
@@ -101,7 +132,7 @@ std::uint64_t points_fingerprint() {
   Hash hash;
   for (const std::string& name : sampler_names()) {
     for (const std::uint32_t count : {5u, 16u, 64u}) {
-      const auto sampler = make_sampler(name, count, 1);
+      const auto sampler = make_sampler(name, count, 1, count % 4 == 0 ? 4 : 1);
       for (std::uint32_t pixel = 0; pixel < 64; ++pixel) {
         for (std::uint32_t i = 0; i < count; ++i) {
           const FixedPoint p = sampler->sample(pixel, i, 0, SampleDomain::disk);

@@ -5,9 +5,8 @@
 
 namespace capcon {
 
-StudyReport ambient_occlusion_study(const StudySettings& settings, const MakeStudyDevice& make_device,
-                                    const RunnerOptions& options,
-                                    const std::optional<Explanation>& explanation) {
+StudyReport study_report(const StudySettings& settings, const MakeStudyDevice& make_device,
+                         const RunnerOptions& options, const std::optional<Explanation>& explanation) {
   StudyReport report;
   report.result = run_study(settings, make_device(settings.width, settings.height), options);
   report.figures = make_figures(report.result);

@@ -18,8 +18,7 @@ struct StudyReport {
 
 /// The whole study: measures or goes on, computes the figures, renders close-ups if the settings want them,
 /// and writes study.json and report.html; both show `explanation` if there is one.
-StudyReport ambient_occlusion_study(const StudySettings& settings, const MakeStudyDevice& make_device,
-                                    const RunnerOptions& options,
-                                    const std::optional<Explanation>& explanation = {});
+StudyReport study_report(const StudySettings& settings, const MakeStudyDevice& make_device,
+                         const RunnerOptions& options, const std::optional<Explanation>& explanation = {});
 
 }  // namespace capcon

@@ -45,7 +45,7 @@ std::string mse_table(const StudyResult& result, const Figures& figures) {
   for (const Curve& curve : figures.curves) head.push_back(curve.sampler);
   grid.row(head);
   for (const std::uint32_t n : result.settings.samples) {
-    std::vector<std::string> row = {fmt::format("{}", n)};
+    std::vector<std::string> row = {count_label(result.settings, n)};
     for (const Curve& curve : figures.curves) {
       const Cell* cell = find_cell(curve, n);
       row.push_back(!cell        ? "–"
@@ -54,6 +54,7 @@ std::string mse_table(const StudyResult& result, const Figures& figures) {
     }
     grid.row(row);
   }
+  if (result.settings.integral == Integral::splitting) return grid.str();
   std::vector<std::string> slopes = {"slope"};
   for (const Curve& curve : figures.curves) {
     const Interval& v = curve.slope;
@@ -74,7 +75,7 @@ std::string ratio_table(const StudyResult& result, const Figures& figures, const
   }
   grid.row(head);
   for (const std::uint32_t n : result.settings.samples) {
-    std::vector<std::string> row = {fmt::format("{}", n)};
+    std::vector<std::string> row = {count_label(result.settings, n)};
     for (const Curve& curve : figures.curves) {
       if (curve.sampler == baseline) continue;
       const Ratio* r = figures.ratio(curve.sampler, baseline, n);
@@ -102,11 +103,13 @@ std::string text_tables(const StudyResult& result, const Figures& figures) {
       "off\n\n{}\n",
       result.settings.seeds, result.settings.seeds == 1 ? "" : "s", scientific(figures.reference_error),
       mse_table(result, figures));
-  for (const std::string& baseline : figures.baselines) {
+  const bool counts_work = result.settings.integral != Integral::splitting;  // all splits are the same work
+  const std::vector<std::string> baselines = counts_work ? figures.baselines : std::vector<std::string>();
+  for (const std::string& baseline : baselines) {
     text += fmt::format("Samples needed for the error of {}\n\n{}\n", baseline,
                         ratio_table(result, figures, baseline, false));
   }
-  for (const std::string& baseline : figures.baselines) {
+  for (const std::string& baseline : baselines) {
     text += fmt::format("Error beside {}'s, in the device seconds that its samples take\n\n{}\n", baseline,
                         ratio_table(result, figures, baseline, true));
   }

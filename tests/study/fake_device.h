@@ -33,7 +33,8 @@ inline double fake_truth(int x, int y, int width, int height) {
 /// A device of that kind; `renders`, if given, counts its renders.
 inline MakeStudyDevice fake_device(int* renders = nullptr) {
   return [renders](int width, int height) {
-    const RenderJob render = [=](const AmbientOcclusionJob& job) {
+    const RenderJob render = [=](const Job& any) {
+      const auto& job = std::get<AmbientOcclusionJob>(any);
       if (renders) ++*renders;
       const FakeLaw law = fake_law(job.sampler);
       const double sd = std::sqrt(law.c * std::pow(job.samples, -law.p));

@@ -51,7 +51,7 @@ TEST(Report, IsOneCompletePage) {
   RunnerOptions options;
   options.directory = folder;
   options.quiet = true;
-  const StudyReport report = ambient_occlusion_study(s, fake_device(), options);
+  const StudyReport report = study_report(s, fake_device(), options);
   const std::string html = read_file(folder / "report.html");
   EXPECT_LT(html.size(), 3u << 20);
   EXPECT_EQ(report.page, folder / "report.html");
@@ -89,7 +89,7 @@ TEST(Report, ItsTagsAreBalanced) {
   RunnerOptions options;
   options.directory = folder;
   options.quiet = true;
-  ambient_occlusion_study(s, fake_device(), options);
+  study_report(s, fake_device(), options);
   const std::string html = without_pictures(read_file(folder / "report.html"));
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_EQ(html.find("nan"), std::string::npos);
