@@ -34,6 +34,7 @@ CAPCON_CONST kSamplerCapconDomain = 6u;
 // Domains of an integral's points: SampleDomain of host/sampling/sampler.h.
 CAPCON_CONST kDomainSquare = 0u;
 CAPCON_CONST kDomainDisk = 1u;
+CAPCON_CONST kDomainCylinder = 2u;
 
 // Dimension pairs of the samplers.
 CAPCON_CONST kPairIntegrand = 0u;  // ambient occlusion; direct lighting's BSDF (Y_0)

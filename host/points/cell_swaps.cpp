@@ -1,98 +1,90 @@
 #include "points/cell_swaps.h"
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace capcon {
 namespace {
 
-/// Two sets that swap cells until neither gains.
+// Of the short-ranged part of the measure: it decides where half-planes leave a choice, as between all pairs
+// of two points on opposite sides of the middle.
+constexpr float kShort = 0.05f, kRange = 0.3f;
+
 class Pair {
  public:
-  Pair(const std::vector<glm::vec2>& centres, std::uint32_t* a, std::uint32_t* b, std::uint32_t n)
-      : cells_{a, b}, n_(n) {
-    const std::uint32_t m = 2 * n;
-    distance_.resize(std::size_t(m) * m);
-    std::vector<float> x(m), y(m);
-    for (std::uint32_t i = 0; i < m; ++i) {
-      const glm::vec2 c = centres[cell(i)];
-      x[i] = c.x;
-      y[i] = c.y;
+  Pair(const std::vector<glm::vec3>& centres, std::uint32_t* a, std::uint32_t* b, std::uint32_t n)
+      : cells_{a, b}, n_(n), m_(2 * n), distance_(std::size_t(m_) * m_), gain_(m_), inside_(m_), lead_(m_) {
+    std::vector<float> x(m_), y(m_), z(m_);
+    for (std::uint32_t i = 0; i < m_; ++i) {
+      const glm::vec3 c = centres[i < n ? a[i] : b[i - n]];
+      x[i] = c.x, y[i] = c.y, z[i] = c.z;
+      inside_[i] = i < n ? kNever : 0.0f;
     }
-    for (std::uint32_t i = 0; i < m; ++i) {
-      float* row = &distance_[std::size_t(i) * m];
-      for (std::uint32_t j = 0; j < m; ++j)
-        row[j] = std::sqrt((x[i] - x[j]) * (x[i] - x[j]) + (y[i] - y[j]) * (y[i] - y[j]));
-    }
-    // Where each place's point was at first: the matrix stays, places move.
-    at_.resize(m);
-    std::iota(at_.begin(), at_.end(), 0u);
-    for (int s = 0; s < 2; ++s) {
-      sum_[s].assign(m, 0);
-      for (std::uint32_t p = 0; p < m; ++p) {
-        const float* row = &distance_[std::size_t(p) * m + s * n];
-        sum_[s][p] = std::accumulate(row, row + n, 0.0f);
+    for (std::uint32_t i = 0; i < m_; ++i) {
+      float* row = &distance_[std::size_t(i) * m_];
+      for (std::uint32_t j = 0; j < m_; ++j) {
+        const float dx = x[i] - x[j], dy = y[i] - y[j], dz = z[i] - z[j];
+        const float d = std::sqrt(dx * dx + dy * dy + dz * dz);
+        row[j] = d + kShort * d / (kRange + d);
       }
+      const float sign = i < n ? 1.0f : -1.0f;
+      for (std::uint32_t j = 0; j < m_; ++j) lead_[j] += sign * row[j];
     }
   }
 
-  /// Swaps while there is a gain, at most three passes; whether there was any.
   bool run() {
-    const std::vector<std::uint32_t> before = cells();
+    std::vector<std::uint32_t> place(n_);
+    for (std::uint32_t i = 0; i < n_; ++i) place[i] = i;
     bool any = true, ever = false;
     for (int pass = 0; any && pass < 3; ++pass) {
       any = false;
-      for (std::uint32_t i = 0; i < n_; ++i) any = best_swap(i) || any;
+      for (std::uint32_t& p : place) any = best_swap(p) || any;
       ever = ever || any;
     }
-    for (std::uint32_t i = 0; ever && i < 2 * n_; ++i) cell(i) = before[at_[i]];
-    return ever;
+    if (!ever) return false;
+    std::vector<std::uint32_t> all(cells_[0], cells_[0] + n_);
+    all.insert(all.end(), cells_[1], cells_[1] + n_);
+    std::uint32_t *a = cells_[0], *b = cells_[1];
+    for (std::uint32_t i = 0; i < m_; ++i) (inside_[i] < 0 ? *a++ : *b++) = all[i];
+    return true;
   }
 
  private:
-  std::uint32_t& cell(std::uint32_t place) {
-    return cells_[place < n_ ? 0 : 1][place < n_ ? place : place - n_];
-  }
-  std::vector<std::uint32_t> cells() {
-    std::vector<std::uint32_t> all(2 * n_);
-    for (std::uint32_t i = 0; i < 2 * n_; ++i) all[i] = cell(i);
-    return all;
-  }
+  static constexpr float kNever = -1e9f;
+  static constexpr std::uint32_t kLanes = 8;
 
-  /// The swap of place i of the first set with the place of the second that gains most.
-  bool best_swap(std::uint32_t i) {
-    const std::uint32_t m = 2 * n_, p = at_[i];
-    const float* row = &distance_[std::size_t(p) * m];
-    const float own = sum_[1][p] - sum_[0][p];
-    float most = 1e-4f;  // below this it is rounding
-    std::uint32_t chosen = m;
-    for (std::uint32_t j = n_; j < m; ++j) {
-      const std::uint32_t q = at_[j];
-      const float gain = own + sum_[0][q] - sum_[1][q] - 2 * row[q];
-      if (gain > most) most = gain, chosen = j;
-    }
-    if (chosen == m) return false;
-    const std::uint32_t q = at_[chosen];
-    const float* other = &distance_[std::size_t(q) * m];
-    for (std::uint32_t k = 0; k < m; ++k) {
-      const float change = other[k] - row[k];
-      sum_[0][k] += change;
-      sum_[1][k] -= change;
-    }
-    std::swap(at_[i], at_[chosen]);
+  /// The swap of point p of the first set with the one of the second that gains most; p is then that one.
+  bool best_swap(std::uint32_t& p) {
+    const float* row = &distance_[std::size_t(p) * m_];
+    float most[kLanes];
+    std::fill(most, most + kLanes, kNever);
+    for (std::uint32_t j = 0; j < m_; ++j) gain_[j] = lead_[j] - 2 * row[j] + inside_[j];
+    std::uint32_t j = 0;
+    for (; j + kLanes <= m_; j += kLanes)
+      for (std::uint32_t k = 0; k < kLanes; ++k) most[k] = std::max(most[k], gain_[j + k]);
+    float best = *std::max_element(most, most + kLanes);
+    for (; j < m_; ++j) best = std::max(best, gain_[j]);
+    if (best - lead_[p] <= 1e-4f) return false;  // below this it is rounding
+    const auto q = static_cast<std::uint32_t>(std::find(gain_.begin(), gain_.end(), best) - gain_.begin());
+    const float* other = &distance_[std::size_t(q) * m_];
+    for (std::uint32_t k = 0; k < m_; ++k) lead_[k] += 2 * (other[k] - row[k]);
+    std::swap(inside_[p], inside_[q]);
+    p = q;
     return true;
   }
 
   std::uint32_t* cells_[2];
-  std::uint32_t n_;
+  std::uint32_t n_, m_;
   std::vector<float> distance_;
-  std::vector<std::uint32_t> at_;
-  std::vector<float> sum_[2];  ///< by point: the sum of its distances to each set
+  std::vector<float> gain_;
+  std::vector<float> inside_;  ///< kNever for points of the first set, 0 for those of the second
+  std::vector<float> lead_;    ///< the sum of a point's distances to the first set less that to the second
 };
 
 }  // namespace
 
-bool swap_cells(const std::vector<glm::vec2>& centres, std::uint32_t* a, std::uint32_t* b, std::uint32_t n) {
+bool swap_cells(const std::vector<glm::vec3>& centres, std::uint32_t* a, std::uint32_t* b, std::uint32_t n) {
   return Pair(centres, a, b, n).run();
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <numeric>
 
@@ -12,33 +13,16 @@
 #include "base/morton.h"
 #include "base/parallel.h"
 #include "points/cell_swaps.h"
+#include "points/ensemble_start.h"
 
 namespace capcon {
 namespace {
 
-constexpr std::uint64_t kDealStream = 0x656e73656d, kPairStream = kDealStream + 1,
-                        kPartStream = kDealStream + 0x100000000;
-constexpr double kSets = 64;  // wished; more cells are finer, and take longer
+constexpr std::uint64_t kOrderStream = 0x656e73656d, kPartStream = kOrderStream + 0x100000000;
 
-struct Grid {
-  std::uint32_t columns, rows;
-};
-
-/// A grid whose cells can be dealt to sets of n, nearly square, with about kSets sets.
-Grid choose_grid(std::uint32_t n) {
-  Grid best{n, 1};
-  double least = 1e300;
-  const auto side = static_cast<std::uint32_t>(std::sqrt(kSets * n));
-  for (std::uint32_t a = std::max(1u, side / 2); a <= 4 * side; ++a) {
-    for (std::uint32_t b = a; b <= a + a / 4; ++b) {
-      const std::uint64_t count = std::uint64_t(a) * b;
-      if (count % n != 0) continue;
-      const double sets = static_cast<double>(count / n);
-      const double cost = std::abs(std::log(sets / kSets)) + 4 * std::log(double(b) / a);
-      if (cost < least) least = cost, best = {b, a};
-    }
-  }
-  return best;
+/// Finer cells for small sets, whose errors they are a larger part of: their tables stay small.
+std::uint32_t wished_sets(const EnsembleOptions& options) {
+  return options.sets > 0 ? options.sets : std::clamp(4096 / options.points, 64u, 256u);
 }
 
 /// Fisher and Yates, by hash.
@@ -51,17 +35,68 @@ glm::dvec2 centre(const Ensemble& e, std::uint32_t cell) {
   return {(cell % e.columns + 0.5) / e.columns, (cell / e.columns + 0.5) / e.rows};
 }
 
-std::vector<glm::vec2> centres_of(const Ensemble& e, EnsembleDomain domain) {
-  std::vector<glm::vec2> centres(e.cells.size());
-  for (std::uint32_t c = 0; c < centres.size(); ++c)
-    centres[c] = glm::vec2(into_domain(domain, centre(e, c)));
+std::vector<glm::vec3> centres_of(const Ensemble& e, EnsembleDomain domain) {
+  std::vector<glm::vec3> centres(e.cells.size());
+  for (std::uint32_t c = 0; c < centres.size(); ++c) centres[c] = glm::vec3(in_space(domain, centre(e, c)));
   return centres;
 }
+
+/// Who meets whom: in a season of a tournament every set meets every other one once, and no two meetings of a
+/// round have a set in common. Those that met in vain and have not changed since need not meet again.
+class Tournament {
+ public:
+  Tournament(std::uint32_t sets, std::uint64_t seed)
+      : sets_(sets), seed_(seed), order_(sets), changed_(sets, 1), vain_(std::size_t(sets) * sets) {}
+
+  struct Meeting {
+    std::uint32_t a, b;
+    bool changed = false;
+  };
+
+  std::uint32_t rounds() const { return sets_ + sets_ % 2 - 1; }
+
+  /// The meetings of a round, by the circle method.
+  std::vector<Meeting> meetings(std::uint32_t season, std::uint32_t round) {
+    if (round == 0) {
+      std::iota(order_.begin(), order_.end(), 0u);
+      shuffle(order_, seed_, kOrderStream + season);
+    }
+    ++now_;
+    std::vector<Meeting> result;
+    const std::uint32_t turning = rounds();
+    for (std::uint32_t k = 0; 2 * k < turning + 1; ++k) {
+      const std::uint32_t i = k == 0 ? turning : (round + k) % turning, j = (round + turning - k) % turning;
+      if (i >= sets_ || j >= sets_) continue;  // an odd number: one has no partner
+      const auto [a, b] = std::minmax(order_[i], order_[j]);
+      if (vain_[std::size_t(a) * sets_ + b] <= std::max(changed_[a], changed_[b])) result.push_back({a, b});
+    }
+    return result;
+  }
+
+  /// Returns whether anything has changed.
+  bool note(const std::vector<Meeting>& meetings) {
+    bool any = false;
+    for (const Meeting& m : meetings) {
+      if (m.changed) changed_[m.a] = changed_[m.b] = now_;
+      if (!m.changed) vain_[std::size_t(m.a) * sets_ + m.b] = now_;
+      any = any || m.changed;
+    }
+    return any;
+  }
+
+ private:
+  std::uint32_t sets_;
+  std::uint64_t seed_;
+  std::vector<std::uint32_t> order_;
+  std::uint32_t now_ = 1;
+  std::vector<std::uint32_t> changed_;  ///< in which round a set did last
+  std::vector<std::uint32_t> vain_;     ///< [a * sets + b], a < b: in which round they last met in vain
+};
 
 }  // namespace
 
 glm::dvec2 into_domain(EnsembleDomain domain, glm::dvec2 u) {
-  if (domain == EnsembleDomain::square) return u;
+  if (domain != EnsembleDomain::disk) return u;
   const glm::dvec2 p = 2.0 * u - 1.0;
   if (p.x == 0 && p.y == 0) return {0, 0};
   const bool wide = std::abs(p.x) > std::abs(p.y);
@@ -70,47 +105,45 @@ glm::dvec2 into_domain(EnsembleDomain domain, glm::dvec2 u) {
               : radius * glm::dvec2(std::sin(angle), std::cos(angle));
 }
 
+glm::dvec3 in_space(EnsembleDomain domain, glm::dvec2 u) {
+  const glm::dvec2 p = into_domain(domain, u);
+  if (domain != EnsembleDomain::cylinder) return {p.x, p.y, 0};
+  const double angle = 2 * std::numbers::pi * u.x, z = 2 * u.y - 1,
+               radius = std::sqrt(std::max(0.0, 1 - z * z));
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
 Ensemble make_ensemble(const EnsembleOptions& options) {
   const std::uint32_t n = options.points;
   if (n == 0 || n > kMostEnsemblePoints) {
     throw InputError(
         fmt::format("an ensemble has sets of 1 to {} points, and {} are asked for", kMostEnsemblePoints, n));
   }
-  Ensemble e;
-  const Grid grid = choose_grid(n);
-  e.columns = grid.columns;
-  e.rows = grid.rows;
-  e.cells.resize(std::size_t(grid.columns) * grid.rows);
-  e.sets = static_cast<std::uint32_t>(e.cells.size() / n);
-  std::iota(e.cells.begin(), e.cells.end(), 0u);
-  shuffle(e.cells, options.seed, kDealStream);
-  const std::vector<glm::vec2> centres = centres_of(e, options.domain);
-
-  // Rounds of a tournament: every set meets another one in each. It is over when a round for every set has
-  // changed nothing.
-  const double pair_cost = 4.0 * n * n;
-  const auto rounds = static_cast<std::uint32_t>(
-      std::clamp(options.effort / (pair_cost * std::max(1u, e.sets / 2)), 8.0, 8.0 * e.sets));
-  const auto grain =
-      static_cast<std::size_t>(std::max(1.0, 1e6 / pair_cost));  // a thread costs about as much
-  std::vector<std::uint32_t> order(e.sets);
-  std::vector<char> changed(e.sets / 2);
-  std::uint32_t idle = 0;
-  for (std::uint32_t round = 0; e.sets > 1 && round < rounds && idle < e.sets; ++round) {
-    std::iota(order.begin(), order.end(), 0u);
-    shuffle(order, options.seed, kPairStream + round);
-    const auto meet = [&](std::size_t k) {
-      changed[k] = swap_cells(centres, &e.cells[std::size_t(order[2 * k]) * n],
-                              &e.cells[std::size_t(order[2 * k + 1]) * n], n)
-                       ? 1
-                       : 0;
-    };
-    if (grain >= changed.size()) {
-      for (std::size_t k = 0; k < changed.size(); ++k) meet(k);
-    } else {
-      parallel_for(changed.size(), meet, grain);
+  Ensemble e = start_ensemble(n, wished_sets(options), options.seed);
+  const std::vector<glm::vec3> centres = centres_of(e, options.domain);
+  const double meeting_cost = 4.0 * n * n;
+  const auto most = static_cast<std::uint64_t>(std::max(options.effort / meeting_cost, 4.0 * e.sets));
+  // A thread costs about as much.
+  const auto grain = static_cast<std::size_t>(std::max(1.0, 1e6 / meeting_cost));
+  Tournament tournament(e.sets, options.seed);
+  std::uint64_t met = 0;
+  bool any = e.sets > 1 && n > 1;
+  for (std::uint32_t season = 0; any && met < most; ++season) {
+    any = false;
+    for (std::uint32_t round = 0; round < tournament.rounds() && met < most; ++round) {
+      auto meetings = tournament.meetings(season, round);
+      const auto meet = [&](std::size_t k) {
+        auto& m = meetings[k];
+        m.changed = swap_cells(centres, &e.cells[std::size_t(m.a) * n], &e.cells[std::size_t(m.b) * n], n);
+      };
+      if (meetings.size() <= grain) {
+        for (std::size_t k = 0; k < meetings.size(); ++k) meet(k);
+      } else {
+        parallel_for(meetings.size(), meet, grain);
+      }
+      any = tournament.note(meetings) || any;
+      met += meetings.size();
     }
-    idle = std::find(changed.begin(), changed.end(), 1) == changed.end() ? idle + 1 : 0;
   }
   return e;
 }
@@ -118,7 +151,7 @@ Ensemble make_ensemble(const EnsembleOptions& options) {
 void deal_parts(Ensemble& e, EnsembleDomain domain, std::uint32_t parts) {
   const auto n = static_cast<std::uint32_t>(e.cells.size() / e.sets), points = n / parts;
   if (parts == 1 || points == 1) return;
-  const std::vector<glm::vec2> centres = centres_of(e, domain);
+  const std::vector<glm::vec3> centres = centres_of(e, domain);
   constexpr int kSweeps = 6;
   parallel_for(e.sets, [&](std::size_t s) {
     // Every part begins with one of each `parts` cells that lie near each other.
@@ -148,9 +181,8 @@ double mean_distance_within(const Ensemble& e, EnsembleDomain domain) {
   for (std::uint32_t s = 0; s < e.sets; ++s) {
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) {
-        const glm::dvec2 d = into_domain(domain, centre(e, e.cells[s * n + i])) -
-                             into_domain(domain, centre(e, e.cells[s * n + j]));
-        sum += std::sqrt(d.x * d.x + d.y * d.y);
+        sum += glm::distance(in_space(domain, centre(e, e.cells[s * n + i])),
+                             in_space(domain, centre(e, e.cells[s * n + j])));
       }
     }
   }

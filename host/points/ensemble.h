@@ -2,13 +2,15 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <vector>
 
 namespace capcon {
 
-/// The domain of an integral, reached from the unit square: itself, or the unit disk by the concentric map
-/// (Shirley and Chiu 1997).
-enum class EnsembleDomain { square, disk };
+/// The domain of an integral, reached from the unit square by areas in proportion: itself, the unit disk by
+/// the concentric map (Shirley and Chiu 1997), or itself with its sides x = 0 and x = 1 joined: azimuth and
+/// height.
+enum class EnsembleDomain { square, disk, cylinder };
 
 /// Many sets of n cells each. All cells are alike in area and together tile the domain, so that a random set
 /// with a random point in each of its cells is unbiased for any integrand: every cell is as likely as any
@@ -27,16 +29,19 @@ struct EnsembleOptions {
   std::uint32_t points = 16;  ///< n >= 1, of a set
   EnsembleDomain domain = EnsembleDomain::disk;
   std::uint64_t seed = 1;
-  /// How long it may take: distances computed, about 1e9 a second and thread.
-  double effort = 3e8;
+  /// How many sets are wished, 0: 256 for small sets to 64 for large ones. Finer cells err less, and tables
+  /// are larger.
+  std::uint32_t sets = 0;
+  /// How long it may take: distances computed, about 1e9 a second of processor time.
+  double effort = 5e8;
 };
 
-/// Deals the cells of a grid of about 64 n to sets, and swaps cells between two sets while that lowers the
-/// sum of their energy distances to the domain, ED(X) = (2/n) sum u(x_i) - (1/n^2) sum |x_i - x_j| - const
-/// (Szekely and Rizzo 2013): the mean squared discrepancy over half-planes. The sum over u does not change,
-/// so that what counts is the distances within the sets. Pairs of sets that have no set in common are worked
-/// on at the same time; the result is the same for any number of threads. InputError for n = 0 or beyond
-/// 4096.
+/// Deals the cells of a grid to sets (ensemble_start.h), and swaps cells between two sets while that lowers
+/// the sum of their energy distances to the domain, ED(X) = (2/n) sum u(x_i) - (1/n^2) sum |x_i - x_j| -
+/// const (Szekely and Rizzo 2013): the mean squared discrepancy over half-planes (over caps of the
+/// sphere, for the cylinder). The sum over u does not change, so that what counts is the distances within the
+/// sets. Meetings of sets that have no set in common are worked on at the same time; the result is the same
+/// for any number of threads. InputError for n = 0 or beyond kMostEnsemblePoints.
 Ensemble make_ensemble(const EnsembleOptions& options);
 
 /// Orders the cells of every set so that cells p * n / parts ... (p + 1) * n / parts - 1, part p, cover the
@@ -48,5 +53,9 @@ double mean_distance_within(const Ensemble& ensemble, EnsembleDomain domain);
 
 /// A point of the unit square in the domain.
 glm::dvec2 into_domain(EnsembleDomain domain, glm::dvec2 p);
+
+/// The same in space: square and disk in z = 0, and of the cylinder the unit sphere, which it has the areas
+/// of (Archimedes).
+glm::dvec3 in_space(EnsembleDomain domain, glm::dvec2 p);
 
 }  // namespace capcon

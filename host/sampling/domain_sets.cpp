@@ -81,7 +81,6 @@ class DomainSampler final : public Sampler {
   FixedPoint point(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension,
                    SampleDomain domain) const override {
     const auto keys = set_words(seed(), pixel, dimension);
-    const bool disk = domain == SampleDomain::disk;
     const Sets& sets = sets_in(domain);
     // A part alone leaves out most cells of its set: which part comes first is random, so that each is
     // unbiased.
@@ -92,12 +91,16 @@ class DomainSampler final : public Sampler {
       if (place >= count()) place -= count();
     }
     const Cell& cell = sets.cells[std::size_t(multiply_high(keys[3], sets.sets)) * count() + place];
-    const auto random = pcg4d(pixel, index, dimension, seed());
-    const FixedPoint p{cell.x + multiply_high(random[0], cell.width),
-                       cell.y + multiply_high(random[1], cell.height)};
+    // Where in its cell: an Owen-scrambled net over the set's order, so that neighbours' places in their
+    // cells balance. Each is uniform, which is all that unbiasedness needs.
+    const auto within = set_words(seed(), pixel, dimension, kPurposeWithin);
+    const std::uint32_t u = reverse_bits(owen_scramble_reversed(place, within[2])),
+                        v = reverse_bits(owen_scramble_reversed(sobol_second_reversed(place), within[3]));
+    const FixedPoint p{cell.x + multiply_high(u, cell.width), cell.y + multiply_high(v, cell.height)};
     // Not the first word, which is the hash's least mixed: with it a hundredth of the RMSE was bias
     // (tests/bench/sampling_bench.cpp).
-    if (disk) return turn_in_square(p, keys[1]);
+    if (domain == SampleDomain::disk) return turn_in_square(p, keys[1]);
+    if (domain == SampleDomain::cylinder) return {p.x + keys[1], (within[1] & 1) != 0 ? ~p.y : p.y};
     FixedPoint q{keys[1] & 1 ? ~p.x : p.x, keys[1] & 2 ? ~p.y : p.y};
     if (keys[1] & 4) std::swap(q.x, q.y);
     return q;
@@ -105,9 +108,12 @@ class DomainSampler final : public Sampler {
 
   SamplerTables tables(const std::vector<SampleDomain>& domains) const override {
     SamplerTables result{layout::kSamplerCapconDomain, {0, 0, 0, split().parts}, {}};
-    for (const SampleDomain d : {SampleDomain::disk, SampleDomain::square}) {
+    for (const SampleDomain d : {SampleDomain::disk, SampleDomain::square, SampleDomain::cylinder}) {
       if (std::find(domains.begin(), domains.end(), d) == domains.end()) continue;
-      result.constants[d == SampleDomain::disk ? 0 : 1] = sets_in(d).sets;
+      const std::uint32_t sets = sets_in(d).sets;
+      if (d == SampleDomain::disk) result.constants[0] = sets;
+      if (d == SampleDomain::square) result.constants[1] = sets;
+      if (d == SampleDomain::cylinder) result.constants[3] |= sets << 16;
       append(sets_in(d), result);
     }
     return result;
@@ -121,15 +127,17 @@ class DomainSampler final : public Sampler {
   const Sets& sets_in(SampleDomain domain) const {
     const auto d = static_cast<std::size_t>(domain);
     std::call_once(once_[d], [&] {
-      const EnsembleDomain in = domain == SampleDomain::disk ? EnsembleDomain::disk : EnsembleDomain::square;
+      const EnsembleDomain in = domain == SampleDomain::disk     ? EnsembleDomain::disk
+                                : domain == SampleDomain::square ? EnsembleDomain::square
+                                                                 : EnsembleDomain::cylinder;
       sets_[d] = made_once(std::tuple(count(), in, split().parts),
                            [&] { return make_sets(count(), in, split().parts); });
     });
     return *sets_[d];
   }
 
-  mutable std::array<std::once_flag, 2> once_;
-  mutable std::array<std::shared_ptr<const Sets>, 2> sets_;
+  mutable std::array<std::once_flag, 3> once_;
+  mutable std::array<std::shared_ptr<const Sets>, 3> sets_;
 };
 
 }  // namespace

@@ -23,8 +23,9 @@ struct SamplerTables {
 /// The domain that an integral's points are mapped to by areas in proportion. Only samplers that live in one
 /// (capcon-domain) tell them apart; the numbers are those of shaders/layout.h, kDomain...
 enum class SampleDomain : std::uint32_t {
-  square = 0,  ///< rectangles, triangles, environment maps, places in a pixel
-  disk = 1     ///< by the concentric map: the cosine hemisphere, disk lights, cones of directions
+  square = 0,   ///< rectangles, triangles, environment maps, places in a pixel
+  disk = 1,     ///< by the concentric map: the cosine hemisphere, disk lights, cones of directions
+  cylinder = 2  ///< x goes round, y does not: azimuth and height, the sphere of directions
 };
 
 /// How a pixel's points are shared out (trajectory splitting): `parts` sets of `points`, each well spread,
@@ -53,7 +54,9 @@ class Sampler {
   }
   /// `domains`: those that points will be asked for in, which capcon-domain needs tables for.
   virtual SamplerTables tables(const std::vector<SampleDomain>& domains) const = 0;
-  SamplerTables tables() const { return tables({SampleDomain::square, SampleDomain::disk}); }
+  SamplerTables tables() const {
+    return tables({SampleDomain::square, SampleDomain::disk, SampleDomain::cylinder});
+  }
 
   const std::string& name() const { return name_; }
   std::uint32_t count() const { return split_.parts * split_.points; }

@@ -22,9 +22,8 @@ std::unique_ptr<Sampler> make_ccvt_sampler(std::uint32_t count, std::uint32_t se
 /// The shipped corner tiles: a stochastic toroidal tiling and a rotation a set.
 std::unique_ptr<Sampler> make_capcon_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 
-/// Sets of an ensemble in the integral's own domain, without a seam: the disk for dimension pair 0, the
-/// square for others; one of its sets and the domain's own symmetry (rotation, or flips) by hash, a random
-/// point in every cell. Unbiased.
+/// Sets of an ensemble in the integral's own domain, without a seam: one of its sets and the domain's own
+/// symmetry (rotation, flips, a shift round the cylinder) by hash, a random point in every cell. Unbiased.
 std::unique_ptr<Sampler> make_capcon_domain_sampler(std::uint32_t count, std::uint32_t seed,
                                                     std::uint32_t parts);
 

@@ -21,7 +21,9 @@ TEST(SamplePoints, DeviceAndHostAgreeToTheBit) {
           const auto sampler = make_sampler(name, count, 42, parts);
           const std::uint32_t pixels = count > 1000 ? 3 : 12;
           for (std::uint32_t dimension : {0u, 1u, 3u}) {
-            const SampleDomain domain = dimension == 1 ? SampleDomain::square : SampleDomain::disk;
+            const SampleDomain domain = dimension == 0   ? SampleDomain::disk
+                                        : dimension == 1 ? SampleDomain::square
+                                                         : SampleDomain::cylinder;
             const auto points = renderer.sample_points(*sampler, pixels, dimension, domain);
             std::size_t different = 0;
             for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
