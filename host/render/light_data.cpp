@@ -1,5 +1,6 @@
 #include "render/light_data.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "layout.h"
@@ -84,6 +85,19 @@ glm::dvec3 dual(const glm::dvec3& a, const glm::dvec3& b) {
   return across / glm::dot(across, a);
 }
 
+/// Three texels a triangle. A float would hold the sums of 100,000 triangles to a hundredth of a triangle
+/// only.
+void append_triangles(const Lights& lights, std::vector<glm::uvec4>& texels) {
+  for (const Light& l : lights.values) {
+    for (std::uint32_t t = l.first_triangle; t < l.first_triangle + l.triangle_count; ++t) {
+      const double part = std::min(lights.areas[t] / l.area * 0x1p32, 0x1p32 - 1);
+      texels.push_back(make_texel(lights.triangles[t].a, static_cast<std::uint32_t>(part)));
+      texels.push_back(make_texel(lights.triangles[t].b, lights.triangles[t].primitive));
+      texels.push_back(make_texel(lights.triangles[t].c, 0u));
+    }
+  }
+}
+
 }  // namespace
 
 std::uint32_t LightData::kind_bits() const {
@@ -124,11 +138,7 @@ LightData pack_lights(const Scene& scene, const Lights& lights) {
     data.lights.push_back(make_texel(flat ? dual(l.axis_u, l.axis_v) : glm::dvec3(0), 0u));
     data.lights.push_back(make_texel(flat ? dual(l.axis_v, l.axis_u) : glm::dvec3(0), 0u));
   }
-  for (std::size_t t = 0; t < lights.triangles.size(); ++t) {
-    data.lights.push_back(make_texel(lights.triangles[t].a, lights.areas[t]));
-    data.lights.push_back(make_texel(lights.triangles[t].b, lights.triangles[t].primitive));
-    data.lights.push_back(make_texel(lights.triangles[t].c, 0u));
-  }
+  append_triangles(lights, data.lights);
   data.words.resize(scene.shapes.size());
   for (std::size_t s = 0; s < scene.shapes.size(); ++s) {
     if (lights.of_shape[s] >= 0)

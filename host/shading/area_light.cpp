@@ -132,7 +132,9 @@ Light shape_of_light(const Scene& scene, const Shape& shape, Lights& lights, std
   const TriangleMesh ellipsoid = tessellate_sphere(shape.radius, -shape.radius, shape.radius, 360);
   remark = "its transform makes it an ellipsoid, of which it emits as " +
            std::to_string(ellipsoid.triangles.size()) + " triangles";
-  return triangles(ellipsoid, shape, lights);
+  Light light = triangles(ellipsoid, shape, lights);
+  light.inward = shape.reverse_orientation;
+  return light;
 }
 
 }  // namespace capcon

@@ -29,7 +29,7 @@ struct Light {
   glm::dvec3 radiance{0};
   bool two_sided = false;  ///< emits from both sides
   bool hidden = false;     ///< no ray meets it (a shape of alpha 0)
-  bool inward = false;     ///< sphere: emits into itself
+  bool inward = false;     ///< sphere, ellipsoid: emits into itself
 
   glm::dvec3 position{0};  ///< disk, sphere: centre; rectangle: a corner; point
   /// Disk: position + u axis_u + v axis_v with inner^2 <= u^2 + v^2 <= 1, an ellipse where the transform

@@ -1,6 +1,7 @@
 // Lights (docs/direct.md): eight texels each: kind, flags, first primitive and number of further ones; radiance and area; position
 // and radius; axis u and the hole's radius; axis v and the first triangle's place; normal and number of triangles; the dual vectors
-// of the axes. Environments hold the rows of world-to-map instead of position and axes, and their map's place behind the third.
+// of the axes. A triangle has three: its corners, with the cumulative area as 0.32 fixed point of the light's, and its number in the
+// mesh. Environments hold the rows of world-to-map instead of position and axes, and their map's place behind the third.
 DATA_TEXELS(kBindLights, light_texels);
 layout(constant_id = kSpecLightKinds) const uint kLightKinds = 0u;  // a bit a kind of the scene
 bool has_light(uint kind) { return (kLightKinds & (1u << kind)) != 0u; }
@@ -102,14 +103,14 @@ LightSample sample_sphere(Light l, vec3 from, vec2 u) {
   return s;
 }
 
-LightSample sample_triangles(Light l, vec3 from, vec2 u) {
-  // The first triangle whose cumulative area is above u.x of the whole.
-  float value = u.x * l.area;
+LightSample sample_triangles(Light l, vec3 from, uvec2 bits) {
+  // The first triangle whose cumulative area is above x of the whole.
+  uint value = bits.x & 0xffffff00u;
   uint low = 0u, high = l.triangles - 1u;
   bool going = low < high;
   while (going) {
     uint middle = (low + high) >> 1u;
-    bool above = uintBitsToFloat(FETCH(light_texels, l.place + middle * 3u).w) > value;
+    bool above = FETCH(light_texels, l.place + middle * 3u).w > value;
     high = going && above ? middle : high;
     low = going && !above ? middle + 1u : low;
     going = low < high;
@@ -117,15 +118,17 @@ LightSample sample_triangles(Light l, vec3 from, vec2 u) {
   uvec4 t0 = FETCH(light_texels, l.place + low * 3u);
   uvec4 t1 = FETCH(light_texels, l.place + low * 3u + 1u);
   vec3 a = uintBitsToFloat(t0.xyz), b = uintBitsToFloat(t1.xyz), c = uintBitsToFloat(FETCH(light_texels, l.place + low * 3u + 2u).xyz);
-  float before = low == 0u ? 0.0 : uintBitsToFloat(FETCH(light_texels, l.place + (max(low, 1u) - 1u) * 3u).w);
-  float x = clamp((value - before) / max(uintBitsToFloat(t0.w) - before, 1e-30), 0.0, 0.99999994);
-  bool upper = u.y > x;
-  vec2 p = upper ? vec2(0.5 * x, u.y - 0.5 * x) : vec2(x - 0.5 * u.y, 0.5 * u.y);
+  uint before = low == 0u ? 0u : FETCH(light_texels, l.place + (max(low, 1u) - 1u) * 3u).w;
+  float x = float(value - before) / float(max(t0.w - before, 1u)), y = unit_floats(bits).y;
+  bool upper = y > x;
+  vec2 p = upper ? vec2(0.5 * x, y - 0.5 * x) : vec2(x - 0.5 * y, 0.5 * y);
   LightSample s = towards(l, from, a + p.x * (b - a) + p.y * (c - a), normalize(cross(b - a, c - a)), l.area);
-  // An ellipsoid emits as triangles inside it: it does not hide those that show their outer side.
-  bool ellipsoid = (l.first_primitive & kQuadricBit) != 0u;
-  bool back = dot(s.w, cross(b - a, c - a)) >= 0.0;
-  s.primitive = ellipsoid && back ? kNoPrimitive : l.first_primitive + t1.w;
+  // An ellipsoid emits as triangles inside it: it does not hide those that show their outer side. What is hidden has no primitives.
+  bool quadric = (l.first_primitive & kQuadricBit) != 0u;
+  float along = dot(s.w, cross(b - a, c - a));
+  bool inner_side = (l.flags & kLightInward) != 0u ? along <= 0.0 : along >= 0.0;
+  bool hidden = l.first_primitive == kNoPrimitive;
+  s.primitive = hidden || (quadric && inner_side) ? kNoPrimitive : l.first_primitive + t1.w;
   s.more_primitives = 0u;
   return s;
 }
@@ -136,7 +139,7 @@ LightSample sample_light(const uint kind, Light l, vec3 from, vec3 ng, uvec2 bit
   if (kind == kLightDisk) return sample_disk(l, from, u);
   if (kind == kLightSphere) return sample_sphere(l, from, u);
   if (kind == kLightRectangle) return towards(l, from, l.position + u.x * l.axis_u + u.y * l.axis_v, l.normal, l.area);
-  if (kind == kLightTriangles) return sample_triangles(l, from, u);
+  if (kind == kLightTriangles) return sample_triangles(l, from, bits);
   LightSample s = LightSample(vec3(0.0, 0.0, 1.0), 3e38, l.radiance, 1.0, kNoPrimitive, 0u);
   if (kind == kLightMap) {
     Map m = load_map(l.place);
