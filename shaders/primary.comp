@@ -26,10 +26,13 @@ void write_shading(uint place, Hit hit, vec3 facing, bool front, bool seen) {
   uint slot = seen ? hit.slot : 0u;
   Details d = load_details(slot, hit.weights);
   vec3 n = d.normal;
-  if (kInstances != 0u) {
-    vec4 i0 = instance_row(hit.instance, 0u), i1 = instance_row(hit.instance, 1u), i2 = instance_row(hit.instance, 2u);
+  if (kInstances != 0u && kDetailNormals != 0u) {
+    // Each vertex's is made a unit vector in the world before they are weighed.
     bool own = (FETCH(instance_texels, hit.instance * 8u + 3u).w & kWorldInstance) != 0u;
-    n = own ? n : n.x * i0.xyz + n.y * i1.xyz + n.z * i2.xyz;
+    mat3 to_world = mat3(instance_row(hit.instance, 0u).xyz, instance_row(hit.instance, 1u).xyz, instance_row(hit.instance, 2u).xyz);
+    mat3 world = to_world * load_normals(slot);
+    for (int k = 0; k < 3; ++k) world[k] *= inversesqrt(max(dot(world[k], world[k]), 1e-37));
+    n = own ? n : weighted(world, hit.weights);
   }
   float length2 = dot(n, n);
   n = length2 > 0.0 ? n * inversesqrt(length2) : facing;
