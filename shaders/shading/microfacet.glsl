@@ -38,4 +38,4 @@ float fresnel(float cosine, float eta, float k) {
   return 0.5 * (perpendicular + perpendicular * ratio);
 }
 
-float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
+float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126729, 0.7151522, 0.0721750)); }
