@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   cli::add_measure_verb(app);
   cli::add_partition_verb(app);
   cli::add_tiles_verb(app);
+  cli::add_ensembles_verb(app);
   cli::add_bench_verb(app);
   cli::add_info_verb(app);
   try {

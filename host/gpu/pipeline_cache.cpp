@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <exception>
 #include <string>
 
+#include "base/cache.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "gpu/check.h"
@@ -29,14 +29,6 @@ std::string opened(const std::string& bytes) {
 }
 
 }  // namespace
-
-std::filesystem::path cache_folder() {
-  const char* cache = std::getenv("XDG_CACHE_HOME");
-  if (cache && *cache) return std::filesystem::path(cache) / "capcon";
-  const char* home = std::getenv("HOME");
-  if (home && *home) return std::filesystem::path(home) / ".cache" / "capcon";
-  return {};
-}
 
 PipelineCache::PipelineCache(VkDevice device, const DeviceDescription& description) : device_(device) {
   const std::filesystem::path folder = cache_folder();

@@ -8,9 +8,9 @@
 
 namespace capcon::gpu {
 
-/// Compiled pipelines kept on disk: one file a device and driver under cache_folder(). A missing, foreign or
-/// broken file is an empty cache, and one that cannot be written is not an error: only the next start is
-/// slower.
+/// Compiled pipelines kept on disk: one file a device and driver under cache_folder() (base/cache.h). A
+/// missing, foreign or broken file is an empty cache, and one that cannot be written is not an error: only
+/// the next start is slower.
 class PipelineCache {
  public:
   PipelineCache(VkDevice device, const DeviceDescription& description);
@@ -27,8 +27,5 @@ class PipelineCache {
   std::filesystem::path path_;  ///< empty: nowhere to keep it
   std::string loaded_;
 };
-
-/// $XDG_CACHE_HOME/capcon, else $HOME/.cache/capcon; empty when neither is set.
-std::filesystem::path cache_folder();
 
 }  // namespace capcon::gpu

@@ -17,6 +17,7 @@
 #include "sampling/address.h"
 #include "sampling/bits.h"
 #include "sampling/disk_turn.h"
+#include "sampling/ensemble_store.h"
 #include "sampling/samplers.h"
 
 namespace capcon {
@@ -54,8 +55,7 @@ auto made_once(const Key& key, Make make) {
 }
 
 Sets make_sets(std::uint32_t count, EnsembleDomain domain, std::uint32_t parts) {
-  Ensemble e = *made_once(std::pair(count, domain),
-                          [&] { return make_ensemble({.points = count, .domain = domain}); });
+  Ensemble e = *made_once(std::pair(count, domain), [&] { return stored_ensemble(count, domain); });
   deal_parts(e, domain, parts);
   // In Morton order, within each part, lanes that run in step take neighbouring points; a rotation or a flip
   // keeps them neighbours.

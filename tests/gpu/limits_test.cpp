@@ -5,6 +5,7 @@
 #include <fstream>
 #include <functional>
 
+#include "base/cache.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "gpu/buffer.h"
