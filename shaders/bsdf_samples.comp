@@ -69,8 +69,8 @@ void main() {
   Job job = this_job();
   Surface s = load_surface(job.pixel - push.band, push.eye.xyz, job.live);
   Bsdf bsdf = load_bsdf(s.material, s.uv, from_frame(s.wo, s.ns));
-  vec2 u = unit_floats(point_of(job, kPairIntegrand, kDomainDisk));
-  float choice = has(kMicrofacets) ? unit_floats(point_of(job, kPairComponent, kDomainSquare)).x : 0.0;
+  vec2 u = unit_floats(bsdf_point(job));
+  float choice = has(kMicrofacets) ? choice_of(job) : 0.0;
   vec3 i = sample_bsdf(bsdf, u, choice);
   vec3 w = normalize(to_frame(i, s.ns));
   bool lit = s.live && i.z > 0.0 && bsdf.o.z > 0.0 && dot(w, s.ng) > 0.0;

@@ -39,7 +39,7 @@ CAPCON_CONST kDomainCylinder = 2u;
 // Dimension pairs of the samplers.
 CAPCON_CONST kPairIntegrand = 0u;  // ambient occlusion; direct lighting's BSDF (Y_0)
 CAPCON_CONST kPairImage = 1u;      // the place in the pixel
-CAPCON_CONST kPairComponent = 2u;  // x: which component of a BSDF is sampled
+CAPCON_CONST kPairComponent = 2u;  // which component of a BSDF is sampled (sampling/choice.h)
 CAPCON_CONST kPairLights = 3u;     // + j: light j (Y_j)
 
 // Specialisation constants.
@@ -193,6 +193,7 @@ struct DirectConstants {
 };
 CAPCON_CONST kDirectFirst = 1u;     // the samples' radiance is written, not added to
 CAPCON_CONST kDirectSeparate = 2u;  // each part is a set of its own, with dimension numbers of its own
+CAPCON_CONST kDirectPlaces = 4u;    // parts belong to image samples at places of their own
 
 // resolve.comp: adds a batch's samples to their pixels.
 struct ResolveConstants {

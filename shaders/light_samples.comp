@@ -16,7 +16,7 @@ void main() {
   bool sphere = kLight == kLightSphere;
   vec3 to_centre = light.position - s.origin;
   bool around = sphere && dot(to_centre, to_centre) > light.radius * light.radius;
-  uvec2 bits = point_of(job, kPairLights + push.light, disk || around ? kDomainDisk : kDomainSquare);
+  uvec2 bits = light_point(job, kPairLights + push.light, disk || around ? kDomainDisk : kDomainSquare);
   LightSample l = sample_light(kLight, light, s.origin, s.ng, bits);
 
   Bsdf bsdf = load_bsdf(s.material, s.uv, from_frame(s.wo, s.ns));

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The sample points alone, as bits: what tests compare with the host's samplers. Thread i: pixel i / count, index i % count.
+// The sample points alone, as bits: what tests compare with the host's samplers. Thread i: pixel i / count, index i % count. Dimension
+// pair kPairComponent: the choice of a component, with a domain other than 0 for sets of their own.
 #include "layout.h"
 
 layout(local_size_x = kGroupSize) in;
@@ -20,6 +21,7 @@ void main() {
     uint part = index / push.split.y;
     uint place = shuffled_part(push.seed, push.split, pixel, part, index - part * push.split.y, push.dimension);
     place = push.dimension == 0u ? index : place;
-    points[local] = sample_bits(push.words, push.seed, count, pixel, place, push.dimension, push.domain);
+    uint choice = component_choice(push.seed, pixel, part, index - part * push.split.y, push.split, push.domain != 0u);
+    points[local] = push.dimension == kPairComponent ? uvec2(choice, 0u) : sample_bits(push.words, push.seed, count, pixel, place, push.dimension, push.domain);
   }
 }

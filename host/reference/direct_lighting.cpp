@@ -6,6 +6,7 @@
 
 #include "reference/hemisphere.h"
 #include "reference/pixel_filter.h"
+#include "sampling/choice.h"
 
 namespace capcon::reference {
 namespace {
@@ -16,7 +17,6 @@ using glm::dvec3;
 // Dimension pairs of the samplers.
 constexpr std::uint32_t kBsdfPair = 0;
 constexpr std::uint32_t kPixelPair = 1;
-constexpr std::uint32_t kComponentPair = 2;
 constexpr std::uint32_t kLightPairs = 3;
 constexpr std::uint32_t kPairsOfAPart = 65536;
 
@@ -59,6 +59,13 @@ glm::dvec2 DirectPoints::operator()(std::uint32_t pixel, std::uint32_t p, std::u
   if (job_.partition)
     return unit_point(integrand_->sample(pixel, p * job_.integrator_samples + i, pair, domain));
   return unit_point(integrand_->sample(pixel, i, pair + kPairsOfAPart * p, domain));
+}
+
+double DirectPoints::choice(std::uint32_t pixel, std::uint32_t p, std::uint32_t i) const {
+  Split split;
+  split.parts = job_.image_samples;
+  split.points = job_.integrator_samples;
+  return unit_point({component_choice(job_.seed, pixel, p, i, split, !job_.partition), 0}).x;
 }
 
 /// What a viewer sees of a surface, ready for light.
@@ -158,7 +165,7 @@ DirectLighting::Estimate DirectLighting::pixel(const DirectLightingJob& job, con
     }
     for (std::uint32_t i = 0; i < job.integrator_samples && job.strategy != Strategy::lights; ++i) {
       const glm::dvec2 u = points(pixel, p, i, kBsdfPair, SampleDomain::disk);
-      const double choice = points(pixel, p, i, kComponentPair, SampleDomain::square).x;
+      const double choice = points.choice(pixel, p, i);
       reflection += bsdf_sample(vertex, u, choice, job.strategy, estimate.rays);
     }
   }

@@ -23,6 +23,8 @@ class DirectPoints {
   /// Point i of image sample p, of a dimension pair other than the film's, in [0, 1)^2.
   glm::dvec2 operator()(std::uint32_t pixel, std::uint32_t p, std::uint32_t i, std::uint32_t pair,
                         SampleDomain domain) const;
+  /// The number that chooses the component of the BSDF.
+  double choice(std::uint32_t pixel, std::uint32_t p, std::uint32_t i) const;
 
  private:
   DirectLightingJob job_;

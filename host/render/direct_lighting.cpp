@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "render/dispatch.h"
+#include "render/sample_order.h"
 
 namespace capcon {
 namespace {
@@ -44,15 +45,26 @@ bool uses_bsdf(const RendererState& s, const DirectLightingJob& job) {
   return job.strategy != Strategy::lights && std::any_of(kinds.begin(), kinds.end(), findable);
 }
 
-KernelVariant light_variant(const DirectLightingJob& job, std::uint32_t sampler_id, std::uint32_t kind) {
+/// All samples of a pixel see one surface and are added up, so that their order is free; not where parts have
+/// places of their own, nor where a part is a set of its own, which the order does not know.
+std::vector<glm::uvec4> order_of(const DirectLightingJob& job, const Sampler& sampler) {
+  const bool is_free = job.position == PixelPosition::centre && job.partition;
+  return is_free ? sample_order(sampler) : std::vector<glm::uvec4>();
+}
+
+KernelVariant light_variant(const DirectLightingJob& job, std::uint32_t sampler_id, std::uint32_t kind,
+                            bool ordered) {
   return {"light_samples",
           {{layout::kSpecSampler, sampler_id},
            {layout::kSpecLight, kind},
+           {layout::kSpecOrdered, ordered ? 1 : 0},
            {layout::kSpecStrategy, strategy_constant(job.strategy)}}};
 }
-KernelVariant bsdf_variant(const DirectLightingJob& job, std::uint32_t sampler_id) {
+KernelVariant bsdf_variant(const DirectLightingJob& job, std::uint32_t sampler_id, bool ordered) {
   return {"bsdf_samples",
-          {{layout::kSpecSampler, sampler_id}, {layout::kSpecStrategy, strategy_constant(job.strategy)}}};
+          {{layout::kSpecSampler, sampler_id},
+           {layout::kSpecOrdered, ordered ? 1 : 0},
+           {layout::kSpecStrategy, strategy_constant(job.strategy)}}};
 }
 
 /// One job under way.
@@ -97,7 +109,8 @@ class Pass {
   void make_points() {
     const auto sampler = integrator_sampler(job_);
     tables_ = sampler->tables({SampleDomain::disk, SampleDomain::square});
-    s_.set_sampler(tables_);
+    order_ = order_of(job_, *sampler);
+    s_.set_sampler(tables_, order_);
     const Split& split = sampler->split();
     split_ = {job_.image_samples, job_.integrator_samples, split.part_stride, split.point_stride};
     if (!jittered_) return;
@@ -111,9 +124,9 @@ class Pass {
     primary_ = &s_.kernel(s_.primary_variant(jittered_, tables_.id, job_.filter));
     if (uses_lights(s_, job_)) {
       for (const std::uint32_t kind : s_.light_list.kinds)
-        lights_.push_back(&s_.kernel(light_variant(job_, tables_.id, kind)));
+        lights_.push_back(&s_.kernel(light_variant(job_, tables_.id, kind, !order_.empty())));
     }
-    if (uses_bsdf(s_, job_)) bsdf_ = &s_.kernel(bsdf_variant(job_, tables_.id));
+    if (uses_bsdf(s_, job_)) bsdf_ = &s_.kernel(bsdf_variant(job_, tables_.id, !order_.empty()));
     sum_ = &s_.kernel({"resolve", {}});
     emission_ = &s_.kernel({"emission", {}});
   }
@@ -151,7 +164,8 @@ class Pass {
     push.lights = static_cast<std::uint32_t>(s_.light_list.kinds.size());
     const std::uint32_t groups = groups_for(std::uint64_t(pixels) * samples);
     push.group_stride = spreading_stride(groups);
-    push.flags = layout::kDirectFirst | (job_.partition ? 0 : layout::kDirectSeparate);
+    push.flags = layout::kDirectFirst | (job_.partition ? 0 : layout::kDirectSeparate) |
+                 (jittered_ && job_.image_samples > 1 ? layout::kDirectPlaces : 0);
     for (std::size_t j = 0; j < lights_.size(); ++j) {
       push.light = static_cast<std::uint32_t>(j);
       submit(*lights_[j], &push, groups, "light samples");
@@ -225,6 +239,7 @@ class Pass {
   std::uint32_t first_ = 0, pixels_ = 0;      // of the rows asked for
   std::uint32_t band_ = 0, band_pixels_ = 0;  // of those on the device
   SamplerTables tables_, image_tables_;
+  std::vector<glm::uvec4> order_;
   glm::uvec4 split_{1};
   gpu::Kernel *primary_ = nullptr, *bsdf_ = nullptr, *sum_ = nullptr, *emission_ = nullptr;
   std::vector<gpu::Kernel*> lights_;  // one for each light, the same for those of a kind
@@ -247,12 +262,15 @@ RenderResult render_direct_lighting(RendererState& state, const DirectLightingJo
 
 std::vector<KernelVariant> direct_lighting_kernels(const RendererState& state, const DirectLightingJob& job) {
   const bool jittered = job.position == PixelPosition::jittered;
-  const std::uint32_t id = integrator_sampler(job)->tables({}).id;
+  const auto sampler = integrator_sampler(job);
+  const std::uint32_t id = sampler->tables({}).id;
+  const bool ordered = !order_of(job, *sampler).empty();
   std::vector<KernelVariant> variants = {state.primary_variant(jittered, id, job.filter)};
   if (uses_lights(state, job)) {
-    for (const std::uint32_t kind : state.light_list.kinds) variants.push_back(light_variant(job, id, kind));
+    for (const std::uint32_t kind : state.light_list.kinds)
+      variants.push_back(light_variant(job, id, kind, ordered));
   }
-  if (uses_bsdf(state, job)) variants.push_back(bsdf_variant(job, id));
+  if (uses_bsdf(state, job)) variants.push_back(bsdf_variant(job, id, ordered));
   variants.push_back({"resolve", {}});
   variants.push_back({"emission", {}});
   return variants;

@@ -39,8 +39,9 @@ struct Description {
 /// Of the kernels that shade.
 std::vector<std::uint32_t> shading_bindings() {
   using namespace layout;
-  return {kBindNodes,   kBindPrimitives, kBindQuadrics,  kBindInstances, kBindSampler, kBindSurfaces,
-          kBindShading, kBindDetails,    kBindMaterials, kBindTextures,  kBindLights,  kBindEnvironment};
+  return {kBindNodes,    kBindPrimitives,  kBindQuadrics, kBindInstances, kBindSampler,
+          kBindSurfaces, kBindShading,     kBindDetails,  kBindMaterials, kBindTextures,
+          kBindLights,   kBindEnvironment, kBindOrder};
 }
 
 const std::map<std::string, Description>& descriptions() {

@@ -13,6 +13,7 @@ constexpr std::uint32_t kPurposeSet =
     0x80000000u;  ///< words x, y: the set's randomisation; z: its order; w: spare
 constexpr std::uint32_t kPurposeColours = 0x90000000u;  ///< + group: 128 corner colours each
 constexpr std::uint32_t kPurposeParts = 0xa0000000u;    ///< + block: word w turns the parts of a set
+constexpr std::uint32_t kPurposeFiner = 0xc0000000u;    ///< + stratum: word y orders the parts within it
 constexpr std::uint32_t kPurposeWithin = 0xb0000000u;   ///< words z, w: places within cells; y: a flip
 
 inline std::array<std::uint32_t, 4> set_words(std::uint32_t seed, std::uint32_t pixel,

@@ -4,6 +4,7 @@ DATA_TEXELS(kBindSampler, sampler_texels);
 
 #include "sampling/hash.glsl"
 #include "sampling/bits.glsl"
+#include "sampling/choice.glsl"
 #include "sampling/random.glsl"
 #include "sampling/jittered.glsl"
 #include "sampling/sobol.glsl"

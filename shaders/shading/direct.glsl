@@ -17,6 +17,9 @@ layout(set = 0, binding = kBindSamples, std430) buffer Samples { vec4 samples[];
 // Rays that end on a light stop short of it, so that what it is flush with does not hide it.
 const float kShort = 0.99999237060546875;  // 1 - 2^-17
 
+DATA_TEXELS(kBindOrder, order_texels);
+layout(constant_id = kSpecOrdered) const uint kOrdered = 0u;
+
 struct Job {
   uint slot;   // where its result goes
   uint pixel;
@@ -31,6 +34,7 @@ Job this_job() {
   job.slot = group * kGroupSize + gl_LocalInvocationIndex;
   uint local = job.slot / max(push.samples, 1u);  // 0 samples: the warm-up run
   uint index = push.first_sample + job.slot - local * push.samples;
+  if (kOrdered != 0u) index = FETCH(order_texels, index).x;  // neighbouring lanes get neighbouring directions
   job.live = local < push.pixel_count;
   job.pixel = push.first_pixel + (job.live ? local : 0u);
   job.part = index / max(push.split.y, 1u);
@@ -38,19 +42,55 @@ Job this_job() {
   return job;
 }
 
-// The point of a dimension pair.
-uvec2 point_of(Job job, uint dimension, uint domain) {
-  uint seed = floatBitsToUint(push.eye.w);
-  bool separate = (push.flags & kDirectSeparate) != 0u;
-  uint number = separate ? dimension + (job.part << 16u) : dimension;
+uint seed_of() { return floatBitsToUint(push.eye.w); }
+bool separate_sets() { return (push.flags & kDirectSeparate) != 0u; }
+
+uvec2 point_at(Job job, uint place, uint dimension, uint domain) {
+  bool separate = separate_sets();
   uint count = separate ? push.split.y : push.split.x * push.split.y;
-  uint part = separate ? 0u : job.part;
-  uvec4 split = uvec4(separate ? 1u : push.split.x, push.split.y, separate ? 1u : push.split.z, push.split.w);
-  uint place = number == 0u ? part * push.split.y + job.index : shuffled_part(seed, split, job.pixel, part, job.index, number);
-  return sample_bits(push.words, seed, count, job.pixel, place, number, domain);
+  return sample_bits(push.words, seed_of(), count, job.pixel, place, separate ? dimension + (job.part << 16u) : dimension, domain);
+}
+
+// A point of a light. They are only added up: their order within a part is free, and that of the parts too, unless each part
+// has a place in the pixel of its own.
+uvec2 light_point(Job job, uint dimension, uint domain) {
+  uint place = job.index;
+  bool waits = !separate_sets();
+  uint part = job.part;
+  bool matters = waits && (push.flags & kDirectPlaces) != 0u;
+  while (matters) {  // a jump over the shuffle where it does not matter
+    uint key = set_words(seed_of(), job.pixel, dimension, kPurposeSet).z;
+    part = shuffle_index(job.part, push.split.x, push.split.z, key);
+    matters = false;
+  }
+  place += waits ? part * push.split.y : 0u;
+  return point_at(job, place, dimension, domain);
+}
+
+// The BSDF's point, in the order of the component's choice.
+uvec2 bsdf_point(Job job) {
+  bool separate = separate_sets();
+  uint place = separate ? job.index : job.part * push.split.y + job.index;
+  bool waits = separate && job.part > 0u && has(kMicrofacets);
+  while (waits) {
+    uint shuffled_place = shuffled(seed_of(), push.split.y, push.split.w, job.pixel, job.index, kPairIntegrand + (job.part << 16u));
+    place = waits ? shuffled_place : place;
+    waits = false;
+  }
+  return point_at(job, place, kPairIntegrand, kDomainDisk);
+}
+
+float choice_of(Job job) {
+  uint bits = component_choice(seed_of(), job.pixel, job.part, job.index, push.split, separate_sets());
+  return unit_floats(uvec2(bits)).x;
 }
 
 void write_sample(Job job, vec3 radiance) {
-  bool first = (push.flags & kDirectFirst) != 0u;
-  if (job.live) samples[job.slot] = vec4(radiance, 0.0) + (first ? vec4(0.0) : samples[job.slot]);
+  vec4 before = vec4(0.0);
+  bool adds = (push.flags & kDirectFirst) == 0u;
+  while (adds) {  // reading is a scalar loop over lanes on lavapipe
+    before = samples[job.slot];
+    adds = false;
+  }
+  if (job.live) samples[job.slot] = vec4(radiance, 0.0) + before;
 }

@@ -68,6 +68,7 @@ LightSample sample_disk(Light l, vec3 from, vec2 u) {
   float r2 = dot(d, d);
   float h2 = l.inner * l.inner;
   d *= h2 > 0.0 ? sqrt(h2 / max(r2, 1e-30) + (1.0 - h2)) : 1.0;
+  d = h2 > 0.0 && r2 == 0.0 ? vec2(l.inner, 0.0) : d;  // the centre has no direction
   return towards(l, from, l.position + d.x * l.axis_u + d.y * l.axis_v, l.normal, l.area);
 }
 

@@ -5,6 +5,7 @@
 
 #include "reference/lighting.h"
 #include "reference/pixel_filter.h"
+#include "sampling/choice.h"
 #include "sampling/sampler.h"
 
 namespace capcon {
@@ -93,7 +94,7 @@ TEST(DirectLighting, EachImageSampleHasItsOwnPart) {
   }
 }
 
-TEST(DirectLighting, TheComponentIsChosenByItsOwnPair) {
+TEST(DirectLighting, TheComponentIsChosenByItsOwnNumber) {
   // A smooth mirror over a base, before a sky that is black but for the mirror direction's half: samples of
   // the base alone are worth the same each, those of the coat another: count the former.
   Scene scene = look_at_origin(
@@ -103,12 +104,11 @@ TEST(DirectLighting, TheComponentIsChosenByItsOwnPair) {
       2);
   DirectLightingJob job = direct_job(1, Strategy::bsdf);
   job.sampler = "random";
-  const auto sampler = make_sampler("random", 1, job.seed);
   const Image image = Reference(scene).render(job).image;
   // S = 0.5 + 0.5 (1 - o.z)^5, B = 1 - S.
   const double s = 0.5 + 0.5 * std::pow(1 - 0.8 / std::sqrt(0.7 * 0.7 + 0.4 * 0.4 + 0.8 * 0.8), 5);
   for (std::uint32_t pixel = 0; pixel < 4; ++pixel) {
-    const double choice = (sampler->sample(pixel, 0, 2).x >> 8) / 16777216.0;
+    const double choice = (component_choice(job.seed, pixel, 0, 0, Split(), false) >> 8) / 16777216.0;
     // The coat alone gives F G1 / s = 1 nearly; the base gives less than 28/23 (1 - F0) / (1 - s).
     const double value = image.at(int(pixel % 2), int(pixel / 2), 0);
     if (choice < s) {

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include "layout.h"
 #include "render/renderer.h"
 #include "render/small_scenes.h"
+#include "sampling/choice.h"
 
 namespace capcon {
 namespace {
@@ -35,6 +37,27 @@ TEST(SamplePoints, DeviceAndHostAgreeToTheBit) {
             EXPECT_EQ(different, 0u) << fetch << " " << name << " count " << count << " in " << parts
                                      << " dimension " << dimension;
           }
+        }
+      }
+    }
+  }
+}
+
+TEST(SamplePoints, ChoicesOfComponentsAgreeToTheBit) {
+  const Scene scene = testing::random_soup(3, 1, 4, 4);
+  Renderer renderer(scene, {.device = "lavapipe", .validate = true});
+  for (const auto& [count, parts] :
+       {std::pair(1u, 1u), {16u, 1u}, {16u, 4u}, {16u, 16u}, {35u, 5u}, {400u, 1u}}) {
+    const auto sampler = make_sampler("random", count, 9, parts);
+    for (const bool separate : {false, true}) {
+      const auto points = renderer.sample_points(*sampler, 30, layout::kPairComponent,
+                                                 separate ? SampleDomain::disk : SampleDomain::square);
+      for (std::uint32_t pixel = 0; pixel < 30; ++pixel) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+          const Split& split = sampler->split();
+          ASSERT_EQ(points[pixel * count + i].x,
+                    component_choice(9, pixel, i / split.points, i % split.points, split, separate))
+              << count << " " << parts << " " << pixel << " " << i;
         }
       }
     }
