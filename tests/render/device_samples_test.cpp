@@ -168,7 +168,8 @@ struct Lit {
   }
 };
 
-TEST(DeviceSamples, OfLightsAreTheReferencesAndAsDenseAsTheySay) {
+/// Lights of all kinds about the origin.
+Scene all_lights() {
   const std::string two = "\"bool twosided\" true ", points_of = "Shape \"trianglemesh\" \"point3 P\" ";
   const std::string text =
       lamp("Translate 0 2 .5 Rotate 70 1 .3 0 Scale 2 1 1 Shape \"disk\" \"float innerradius\" .6 ", two) +
@@ -185,11 +186,18 @@ TEST(DeviceSamples, OfLightsAreTheReferencesAndAsDenseAsTheySay) {
           "LightSource \"infinite\" \"string filename\" \"square\" ");
   Scene scene = look_at_patches(text);
   put_images(scene, {{"odd", random_image(24, 11, 1, 500)}, {"square", random_image(16, 16, 2, 500)}});
+  return scene;
+}
+
+const dvec3 kFrom(0.0078125, -0.015625, 0.03125), kUp(0, 0, 1);
+
+TEST(DeviceSamples, OfLightsAreTheReferencesAndAsDenseAsTheySay) {
+  const Scene scene = all_lights();
   Renderer renderer(scene, lavapipe());
   RendererState& state = renderer.state();
   const Lit lit{scene};
   ASSERT_EQ(lit.lights.count(), 9);
-  const dvec3 from(0.0078125, -0.015625, 0.03125), up(0, 0, 1);
+  const dvec3 from = kFrom, up = kUp;
   for (int j = 0; j < lit.lights.count(); ++j) {
     const auto index = static_cast<std::uint32_t>(j), kind = state.light_list.kinds[j];
     const auto questions = points(from, index, up);
@@ -231,6 +239,34 @@ TEST(DeviceSamples, OfLightsAreTheReferencesAndAsDenseAsTheySay) {
         },
         [&](const dvec3& way) { return lit.met(j, from, way).pdf; });
     EXPECT_LT(c.sigmas, 4) << j;
+  }
+}
+
+// The square's corners, edges and middle, where maps have their seams.
+TEST(DeviceSamples, OfLightsAtTheSeamsAreTheReferences) {
+  const Scene scene = all_lights();
+  Renderer renderer(scene, lavapipe());
+  const Lit lit{scene};
+  const std::uint32_t seams[] = {0,          0x100,      0x40000000, 0x7fffff00,
+                                 0x80000000, 0x80000100, 0xc0000000, 0xffffff00};
+  for (int j = 0; j < lit.lights.count(); ++j) {
+    std::vector<Question> questions;
+    for (const std::uint32_t x : seams)
+      for (const std::uint32_t y : seams)
+        questions.push_back({kFrom, static_cast<std::uint32_t>(j), kUp, {x, y, 0}});
+    const auto answers = ask(renderer.state(), kSample, renderer.state().light_list.kinds[j], questions);
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      const glm::uvec3 bits = questions[i].bits;
+      const auto expected = lit.lights.sample(j, kFrom, kUp, {unit(bits.x), unit(bits.y)});
+      if (!expected) {  // a direction along the surface
+        EXPECT_LT(answers[i].a.w, 1e-3) << j << " " << bits.x << " " << bits.y;
+        continue;
+      }
+      EXPECT_LT(glm::distance(expected->direction, dvec3(answers[i].a)), 5e-4)
+          << j << " " << bits.x << " " << bits.y;
+      EXPECT_NEAR(answers[i].a.w, expected->pdf, 2e-4 * expected->pdf + 1e-4)
+          << j << " " << bits.x << " " << bits.y;
+    }
   }
 }
 

@@ -35,6 +35,19 @@ TEST(DirectBatches, RowsAloneHaveTheBitsOfTheWholeImage) {
   }
 }
 
+// Images larger than what the device holds at a time are rendered in bands.
+TEST(DirectBatches, BandsHaveTheBitsOfTheWholeImage) {
+  Renderer renderer(look_at_patches(kGround + kLamps), lavapipe());
+  for (const auto& job : {lit_job(4), jittered(3, 2)}) {
+    renderer.state().band_pixels = 32 * 24;
+    const auto whole = renderer.render(job).image.pixels;
+    for (const std::size_t pixels : {100u, 767u}) {
+      renderer.state().band_pixels = pixels;
+      EXPECT_EQ(renderer.render(job).image.pixels, whole) << pixels;
+    }
+  }
+}
+
 TEST(DirectBatches, SameJobSameBitsWhateverRanBetween) {
   const Scene scene = look_at_patches(kGround + kLamps);
   Renderer first(scene, lavapipe()), second(scene, lavapipe());

