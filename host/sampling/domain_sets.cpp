@@ -39,7 +39,8 @@ std::uint32_t width(std::uint32_t i, std::uint32_t count) {
 
 struct Sets {
   std::uint32_t sets = 1;
-  std::vector<Cell> cells;
+  std::vector<Cell> cells;           ///< set by set, each in Morton order
+  std::vector<std::uint32_t> order;  ///< with parts: [set * count + index]: place in the set, part by part
 };
 
 /// The same for all seeds, and a second's work for large sets: made once a program.
@@ -56,19 +57,30 @@ auto made_once(const Key& key, Make make) {
 
 Sets make_sets(std::uint32_t count, EnsembleDomain domain, std::uint32_t parts) {
   Ensemble e = *made_once(std::pair(count, domain), [&] { return stored_ensemble(count, domain); });
-  deal_parts(e, domain, parts);
-  // In Morton order, within each part, lanes that run in step take neighbouring points; a rotation or a flip
-  // keeps them neighbours.
-  const auto code = [&](std::uint32_t c) { return morton_code(c % e.columns, c / e.columns); };
-  const std::ptrdiff_t points = count / parts;
-  for (auto first = e.cells.begin(); first != e.cells.end(); first += points) {
-    std::sort(first, first + points, [&](std::uint32_t a, std::uint32_t b) { return code(a) < code(b); });
-  }
-  Sets result{e.sets, {}};
+  // In Morton order lanes that run in step take neighbouring points; a rotation or a flip keeps them
+  // neighbours.
+  const auto less = [&](std::uint32_t a, std::uint32_t b) {
+    return morton_code(a % e.columns, a / e.columns) < morton_code(b % e.columns, b / e.columns);
+  };
+  const auto sort_each = [&](std::vector<std::uint32_t>& cells, std::ptrdiff_t length) {
+    for (auto first = cells.begin(); first != cells.end(); first += length)
+      std::sort(first, first + length, less);
+  };
+  sort_each(e.cells, count);
+  Sets result{e.sets, {}, {}};
   result.cells.reserve(e.cells.size());
   for (const std::uint32_t c : e.cells) {
     const std::uint32_t i = c % e.columns, j = c / e.columns;
     result.cells.push_back({border(i, e.columns), border(j, e.rows), width(i, e.columns), width(j, e.rows)});
+  }
+  if (parts == 1) return result;
+  Ensemble dealt = e;
+  deal_parts(dealt, domain, parts);
+  sort_each(dealt.cells, count / parts);
+  for (std::size_t k = 0; k < dealt.cells.size(); ++k) {
+    const auto first = e.cells.begin() + std::ptrdiff_t(k / count * count);
+    const auto found = std::lower_bound(first, first + count, dealt.cells[k], less);
+    result.order.push_back(static_cast<std::uint32_t>(found - first));
   }
   return result;
 }
@@ -82,15 +94,10 @@ class DomainSampler final : public Sampler {
                    SampleDomain domain) const override {
     const auto keys = set_words(seed(), pixel, dimension);
     const Sets& sets = sets_in(domain);
-    // A part alone leaves out most cells of its set: which part comes first is random, so that each is
-    // unbiased.
-    const auto [parts, points, part_stride, point_stride] = split();
-    std::uint32_t place = index;
-    if (parts > 1) {
-      place += points * multiply_high(set_words(seed(), pixel, dimension, kPurposeParts)[3], parts);
-      if (place >= count()) place -= count();
-    }
-    const Cell& cell = sets.cells[std::size_t(multiply_high(keys[3], sets.sets)) * count() + place];
+    const std::size_t set = std::size_t(multiply_high(keys[3], sets.sets)) * count();
+    const std::uint32_t place =
+        sets.order.empty() ? index : sets.order[set + turned(pixel, index, dimension)];
+    const Cell& cell = sets.cells[set + place];
     // Where in its cell: an Owen-scrambled net over the set's order, so that neighbours' places in their
     // cells balance. Each is uniform, which is all that unbiasedness needs.
     const auto within = set_words(seed(), pixel, dimension, kPurposeWithin);
@@ -120,9 +127,22 @@ class DomainSampler final : public Sampler {
   }
 
  private:
+  /// The cells, and with parts the order, four words a texel.
   static void append(const Sets& sets, SamplerTables& result) {
     for (const Cell& c : sets.cells) result.texels.emplace_back(c.x, c.y, c.width, c.height);
+    const auto word = [&](std::size_t i) { return i < sets.order.size() ? sets.order[i] : 0; };
+    for (std::size_t i = 0; i < sets.order.size(); i += 4)
+      result.texels.emplace_back(word(i), word(i + 1), word(i + 2), word(i + 3));
   }
+
+  /// A part alone leaves out most cells of its set: which part comes first is random, so that each is
+  /// unbiased.
+  std::uint32_t turned(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const {
+    const auto turn = set_words(seed(), pixel, dimension, kPurposeParts)[3];
+    const std::uint32_t place = index + split().points * multiply_high(turn, split().parts);
+    return place >= count() ? place - count() : place;
+  }
+
   /// Made when points in that domain are first asked for.
   const Sets& sets_in(SampleDomain domain) const {
     const auto d = static_cast<std::size_t>(domain);

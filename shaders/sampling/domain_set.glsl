@@ -1,6 +1,7 @@
 // Sets of an ensemble in the integral's own domain (host/sampling/domain_sets.cpp). words: sets of the disk, sets of the square,
-// -, parts | sets of the cylinder << 16 (0: no table of that domain). Table: a cell a texel, its low corner and its size, first all
-// sets of the disk, then those of the square, then those of the cylinder.
+// -, parts | sets of the cylinder << 16 (0: no table of that domain). Table, first of the disk, then of the square and the
+// cylinder: a cell a texel, its low corner and its size, set by set; with parts, the place in its set of each point, part by part,
+// four to a texel.
 
 // The rotation of the disk by turn / 2^32, in the square that the concentric map takes there: a circle is the rim of a
 // square, and its angle goes evenly along the rim. 28 bits of each coordinate.
@@ -30,15 +31,22 @@ uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint ind
   bool disk = domain == kDomainDisk;
   bool cylinder = domain == kDomainCylinder;
   uint sets = disk ? words.x : cylinder ? words.w >> 16u : words.y;
-  uint before = disk ? 0u : cylinder ? words.x + words.y : words.x;
-  uint set = multiply_high(keys.w, sets);
+  uint split = parts > 1u ? 1u : 0u;
+  uint disk_texels = words.x * count + split * ((words.x * count + 3u) >> 2u);
+  uint square_texels = words.y * count + split * ((words.y * count + 3u) >> 2u);
+  uint before = disk ? 0u : disk_texels + (cylinder ? square_texels : 0u);
+  uint set = multiply_high(keys.w, sets) * count;
   uint place = index;
-  if (parts > 1u) {  // which part comes first is random
-    uint first = multiply_high(set_words(seed, pixel, dimension, kPurposeParts).w, parts);
-    place += count / parts * first;
+  if (parts > 1u) {
+    // Which part comes first is random; then the table has the places in the set's own order.
+    uint turn = set_words(seed, pixel, dimension, kPurposeParts).w;
+    place += count / parts * multiply_high(turn, parts);
     place -= place >= count ? count : 0u;
+    uvec4 four = FETCH(sampler_texels, before + sets * count + ((set + place) >> 2u));
+    uint select = (set + place) & 3u;
+    place = select == 0u ? four.x : select == 1u ? four.y : select == 2u ? four.z : four.w;
   }
-  uvec4 cell = FETCH(sampler_texels, (before + set) * count + place);
+  uvec4 cell = FETCH(sampler_texels, before + set + place);
   // Where in its cell: an Owen-scrambled net over the set's order.
   uint u = bitfieldReverse(owen_scramble_reversed(place, within.z));
   uint v = bitfieldReverse(owen_scramble_reversed(sobol_second_reversed(place), within.w));
