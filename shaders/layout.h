@@ -189,7 +189,8 @@ struct DirectConstants {
   uint light;         // light_samples: which; bsdf_samples: how many area lights come before the environments
   uint lights;        // how many there are
   uint flags;         // kDirect...
-  uint pad0, pad1, pad2;
+  float weight;       // light_samples: of each sample; above 1 where one stands for many (point and distant lights)
+  uint pad0, pad1;
 };
 CAPCON_CONST kDirectFirst = 1u;     // the samples' radiance is written, not added to
 CAPCON_CONST kDirectSeparate = 2u;  // each part is a set of its own, with dimension numbers of its own

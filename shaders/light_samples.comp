@@ -16,7 +16,10 @@ void main() {
   bool sphere = kLight == kLightSphere;
   vec3 to_centre = light.position - s.origin;
   bool around = sphere && dot(to_centre, to_centre) > light.radius * light.radius;
-  uvec2 bits = light_point(job, kPairLights + push.light, disk || around ? kDomainDisk : kDomainSquare);
+  bool round_about = (sphere && !around) || kLight == kLightMap;
+  uint domain = disk || around ? kDomainDisk : (round_about ? kDomainCylinder : kDomainSquare);
+  bool alone = kLight == kLightDistant || kLight == kLightPoint;
+  uvec2 bits = alone ? uvec2(0u) : light_point(job, kPairLights + push.light, domain);
   LightSample l = sample_light(kLight, light, s.origin, s.ng, bits);
 
   Bsdf bsdf = load_bsdf(s.material, s.uv, from_frame(s.wo, s.ns));
@@ -25,8 +28,7 @@ void main() {
              max(max(l.radiance.x, l.radiance.y), l.radiance.z) > 0.0;
   i = lit ? i : vec3(0.0, 0.0, 1.0);
   vec4 f = evaluate_bsdf(bsdf, i);
-  bool alone = kLight == kLightDistant || kLight == kLightPoint || (light.flags & kLightHidden) != 0u;
-  float weight = alone ? 1.0 : mis_weight(l.pdf, f.w);
+  float weight = push.weight * (alone || (light.flags & kLightHidden) != 0u ? 1.0 : mis_weight(l.pdf, f.w));
 
   Ray ray;
   ray.origin = s.origin;

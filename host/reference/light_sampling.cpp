@@ -46,7 +46,8 @@ SampleDomain LightSampling::domain(int light, const dvec3& origin) const {
   const Light& l = lights_.values[light];
   const bool disk = l.kind == LightKind::disk || (l.kind == LightKind::sphere && outside(l, origin)) ||
                     (l.kind == LightKind::environment && l.environment < 0);
-  return disk ? SampleDomain::disk : SampleDomain::square;
+  const bool round = l.kind == LightKind::environment || l.kind == LightKind::sphere;
+  return disk ? SampleDomain::disk : round ? SampleDomain::cylinder : SampleDomain::square;
 }
 
 LightSample LightSampling::from_area(const Light& light, const dvec3& normal, const dvec3& to,

@@ -35,6 +35,17 @@ std::unique_ptr<Sampler> integrator_sampler(const DirectLightingJob& job) {
                        : make_sampler(job.sampler, job.integrator_samples, job.seed);
 }
 
+/// The domains of the BSDF's points and of each light's (docs/direct.md).
+std::vector<SampleDomain> domains_of(const std::vector<std::uint32_t>& kinds) {
+  const auto any = [&](std::initializer_list<std::uint32_t> of) {
+    return std::find_first_of(kinds.begin(), kinds.end(), of.begin(), of.end()) != kinds.end();
+  };
+  std::vector<SampleDomain> domains = {SampleDomain::disk};
+  if (any({layout::kLightRectangle, layout::kLightTriangles})) domains.push_back(SampleDomain::square);
+  if (any({layout::kLightMap, layout::kLightSphere})) domains.push_back(SampleDomain::cylinder);
+  return domains;
+}
+
 /// Whether light samples, and BSDF samples, are of use.
 bool uses_lights(const RendererState& s, const DirectLightingJob& job) {
   return job.strategy != Strategy::bsdf && !s.light_list.kinds.empty();
@@ -50,6 +61,11 @@ bool uses_bsdf(const RendererState& s, const DirectLightingJob& job) {
 std::vector<glm::uvec4> order_of(const DirectLightingJob& job, const Sampler& sampler) {
   const bool is_free = job.position == PixelPosition::centre && job.partition;
   return is_free ? sample_order(sampler) : std::vector<glm::uvec4>();
+}
+
+/// Whether one sample is as good as many.
+bool is_single(std::uint32_t kind) {
+  return kind == layout::kLightDistant || kind == layout::kLightPoint;
 }
 
 KernelVariant light_variant(const DirectLightingJob& job, std::uint32_t sampler_id, std::uint32_t kind,
@@ -100,7 +116,8 @@ class Pass {
       }
       resolve(done);
     }
-    result_.rays = std::uint64_t(pixels_) * job_.samples() * (lights_.size() + (bsdf_ ? 1 : 0));
+    const std::uint64_t singles = (lights_.size() - sampled_) * (jittered_ ? job_.image_samples : 1);
+    result_.rays = pixels_ * (job_.samples() * (sampled_ + (bsdf_ ? 1 : 0)) + singles);
     result_.device = s_.description.name;
     return std::move(result_);
   }
@@ -108,7 +125,7 @@ class Pass {
  private:
   void make_points() {
     const auto sampler = integrator_sampler(job_);
-    tables_ = sampler->tables({SampleDomain::disk, SampleDomain::square});
+    tables_ = sampler->tables(domains_of(s_.light_list.kinds));
     order_ = order_of(job_, *sampler);
     s_.set_sampler(tables_, order_);
     const Split& split = sampler->split();
@@ -126,6 +143,7 @@ class Pass {
       for (const std::uint32_t kind : s_.light_list.kinds)
         lights_.push_back(&s_.kernel(light_variant(job_, tables_.id, kind, !order_.empty())));
     }
+    for (std::size_t j = 0; j < lights_.size(); ++j) sampled_ += is_single(s_.light_list.kinds[j]) ? 0 : 1;
     if (uses_bsdf(s_, job_)) bsdf_ = &s_.kernel(bsdf_variant(job_, tables_.id, !order_.empty()));
     sum_ = &s_.kernel({"resolve", {}});
     emission_ = &s_.kernel({"emission", {}});
@@ -136,6 +154,8 @@ class Pass {
     primary(p);
     emission(static_cast<float>(count));
     if (lights_.empty() && !bsdf_) return;
+    single_samples(first, count);
+    if (sampled_ == 0 && !bsdf_) return;
     const std::uint32_t part = std::min(count, kMostSamples);
     const auto batch_pixels = static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kBatchLanes / part));
     for (std::uint32_t from = 0; from < count; from += part) {
@@ -149,8 +169,19 @@ class Pass {
     }
   }
 
-  void samples_of(std::uint32_t first_pixel, std::uint32_t pixels, std::uint32_t first,
-                  std::uint32_t samples) {
+  /// Point and distant lights: all samples are the same, and one stands for them.
+  void single_samples(std::uint32_t first, std::uint32_t count) {
+    if (sampled_ == lights_.size()) return;
+    for (std::uint64_t pixel = 0; pixel < band_pixels_; pixel += kBatchLanes) {
+      const auto batch =
+          static_cast<std::uint32_t>(std::min<std::uint64_t>(kBatchLanes, band_pixels_ - pixel));
+      samples_of(band_ + static_cast<std::uint32_t>(pixel), batch, first, 1, static_cast<float>(count));
+    }
+  }
+
+  /// With a weight above 0: the single samples alone.
+  void samples_of(std::uint32_t first_pixel, std::uint32_t pixels, std::uint32_t first, std::uint32_t samples,
+                  float weight = 0) {
     layout::DirectConstants push{};
     push.tree = s_.tree;
     push.words = words(tables_);
@@ -166,12 +197,14 @@ class Pass {
     push.group_stride = spreading_stride(groups);
     push.flags = layout::kDirectFirst | (job_.partition ? 0 : layout::kDirectSeparate) |
                  (jittered_ && job_.image_samples > 1 ? layout::kDirectPlaces : 0);
+    push.weight = weight > 0 ? weight : 1;
     for (std::size_t j = 0; j < lights_.size(); ++j) {
+      if (is_single(s_.light_list.kinds[j]) != (weight > 0)) continue;
       push.light = static_cast<std::uint32_t>(j);
       submit(*lights_[j], &push, groups, "light samples");
       push.flags &= ~layout::kDirectFirst;
     }
-    if (bsdf_) {
+    if (bsdf_ && weight == 0) {
       push.light = s_.light_list.area_lights;
       submit(*bsdf_, &push, groups, "bsdf samples");
     }
@@ -243,6 +276,7 @@ class Pass {
   glm::uvec4 split_{1};
   gpu::Kernel *primary_ = nullptr, *bsdf_ = nullptr, *sum_ = nullptr, *emission_ = nullptr;
   std::vector<gpu::Kernel*> lights_;  // one for each light, the same for those of a kind
+  std::size_t sampled_ = 0;           // how many of them need more than one sample
   RenderResult result_;
   double done_ = 0;
 };
