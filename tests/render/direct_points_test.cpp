@@ -45,6 +45,21 @@ TEST(DirectPoints, AgreeWithTheReferenceForEverySamplerAndSplit) {
   }
 }
 
+// A sampler whose points depend on the domain: every light's own, and that of a sphere by where it is seen
+// from.
+TEST(DirectPoints, LieInTheDomainOfEachLight) {
+  Scene scene = look_at_patches(
+      ground() + lamp("ReverseOrientation Translate .2 .1 2 Shape \"disk\" \"float radius\" .8") +
+      lamp("Translate .3 .3 .2 Shape \"sphere\" \"float radius\" .9", "\"bool twosided\" true ") +
+      lamp("Shape \"trianglemesh\" \"point3 P\" [-1 -.5 1.6 -.8 1 1.7 .9 1.2 1.2 .7 -.3 1.1] \"integer "
+           "indices\" [0 1 2 0 2 3] ") +
+      "LightSource \"infinite\" \"rgb L\" [.3 .4 .6] LightSource \"infinite\" \"string mapname\" \"map\"\n");
+  put_images(scene, {{"map", random_image(24, 12, 1, 50)}});
+  DirectLightingJob job = lit_job(16);
+  job.sampler = "capcon-domain";
+  expect_agreement("domains", scene, job, 1e-4, 2);
+}
+
 TEST(DirectPoints, SetsAndPartsDiffer) {
   const Scene scene = split_scene();
   Renderer renderer(scene, lavapipe());
