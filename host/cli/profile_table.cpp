@@ -12,19 +12,22 @@ struct Stage {
   const char* what;
 };
 
-// The order of the work; "trace" is the reference's, which does not tell its rays apart.
-constexpr std::array<Stage, 12> kStages{{
+// The order of the work; what another integrator does is left out; "trace" is the reference's, which does not tell its rays apart.
+constexpr std::array<Stage, 15> kStages{{
     {"device", "open the device (while reading)"},
     {"read", "scene files"},
+    {"shading", "materials and lights, their tables"},
     {"build", "tree"},
     {"compile", "kernels (while building)"},
     {"upload", "buffers"},
     {"points", "sample points on the host"},
     {"primary", "what the pixels see"},
-    {"shade", "materials and lights"},
     {"occlusion", "occlusion rays"},
+    {"emission", "lights that are seen"},
+    {"light samples", "shading and shadow rays"},
+    {"bsdf samples", "shading and BSDF rays"},
     {"trace", "all rays"},
-    {"resolve", "counts to an image"},
+    {"resolve", "sums to an image"},
     {"write", "files"},
 }};
 
@@ -36,14 +39,14 @@ std::string milliseconds(const std::map<std::string, double>& times, const std::
 }  // namespace
 
 std::string profile_table(const Timings& timings, double whole_seconds, double first_dispatch_seconds) {
-  std::string text = fmt::format("{:10} {:>10} {:>10}\n", "stage", "wall ms", "device ms");
+  std::string text = fmt::format("{:14} {:>10} {:>10}\n", "stage", "wall ms", "device ms");
   for (const Stage& stage : kStages) {
     const bool ran = timings.wall.contains(stage.name) || timings.device.contains(stage.name);
     if (!ran && std::string(stage.name) == "trace") continue;
-    text += fmt::format("{:10} {:>10} {:>10}  {}{}\n", stage.name, milliseconds(timings.wall, stage.name),
+    text += fmt::format("{:14} {:>10} {:>10}  {}{}\n", stage.name, milliseconds(timings.wall, stage.name),
                         milliseconds(timings.device, stage.name), stage.what, ran ? "" : ": left out");
   }
-  text += fmt::format("{:10} {:>10.1f}\n", "whole", 1e3 * whole_seconds);
+  text += fmt::format("{:14} {:>10.1f}\n", "whole", 1e3 * whole_seconds);
   if (first_dispatch_seconds > 0) {
     text += fmt::format("The first rays were handed to the device after {:.1f} ms.\n",
                         1e3 * first_dispatch_seconds);

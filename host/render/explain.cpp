@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "layout.h"
 #include "render/features.h"
 #include "render/renderer.h"
 #include "render/renderer_state.h"
@@ -50,23 +52,56 @@ std::uint64_t memory_of(const Scene& scene) {
   return bytes;
 }
 
-std::vector<FeatureRow> feature_rows(const Scene& scene, const Features& needed) {
+/// Names of the bits that are set, and of those that are not.
+template <std::size_t N>
+std::pair<std::string, std::string> names_of(std::uint32_t bits, const std::array<const char*, N>& names) {
+  std::string set, unset;
+  for (std::size_t i = 0; i < N; ++i) {
+    std::string& list = (bits >> i) & 1 ? set : unset;
+    list += (list.empty() ? "" : ", ") + std::string(names[i]);
+  }
+  return {set.empty() ? "none" : set, unset};
+}
+
+/// What the kernels of direct lighting are specialised for.
+void add_shading_rows(const Constants& constants, std::vector<FeatureRow>& rows) {
+  static constexpr std::array kMaterials = {
+      "diffuse",  "conductor", "plastic (added)", "plastic (substrate)", "plastic (transmitted)",
+      "measured", "textured"};
+  static constexpr std::array kLights = {
+      "disk", "sphere", "rectangle", "mesh", "environment", "constant environment", "distant", "point"};
+  const auto row = [&](const char* name, const std::pair<std::string, std::string>& names) {
+    rows.push_back(
+        {name, names.first, names.second.empty(), names.second.empty() ? "" : "code for " + names.second});
+  };
+  row("kinds of material", names_of(constants.at(layout::kSpecMaterials), kMaterials));
+  row("kinds of light", names_of(constants.at(layout::kSpecLightKinds), kLights));
+}
+
+std::vector<FeatureRow> feature_rows(const Scene& scene, const Features& needed, const Constants& constants) {
+  const auto bits = [&](std::uint32_t id) {
+    const auto found = constants.find(id);
+    return found == constants.end() ? 0 : found->second;
+  };
+  const bool textures = (bits(layout::kSpecMaterials) & layout::kHasTexture) != 0;
+  const bool maps = (bits(layout::kSpecLightKinds) >> layout::kLightMap & 1) != 0;
   const Contents c = contents(scene);
   const auto named = [](std::uint64_t count, const char* one, const char* many) {
     return count == 0 ? fmt::format("no {}", many) : fmt::format("{} {}", count, count == 1 ? one : many);
   };
   return {
-      {"normals", named(c.normals, "vertex with a normal", "vertices with normals"), needed.shading,
+      {"normals", named(c.normals, "vertex with a normal", "vertices with normals"),
+       bits(layout::kSpecDetailNormals) != 0,
        fmt::format("{} not kept, not uploaded", megabytes(12 * c.normals))},
-      {"uvs", named(c.uvs, "vertex with uv", "vertices with uvs"), needed.shading,
+      {"uvs", named(c.uvs, "vertex with uv", "vertices with uvs"), bits(layout::kSpecDetailUvs) != 0,
        fmt::format("{} not kept, not uploaded", megabytes(8 * c.uvs))},
       {"materials", named(scene.materials.size(), "material", "materials"), needed.shading,
        "not uploaded, no shading kernel code"},
       {"textures",
        fmt::format("{}, {}", named(scene.textures.size(), "texture", "textures"),
                    named(c.texture_images, "image file found", "image files found")),
-       needed.shading, "no file opened, nothing uploaded"},
-      {"environment", named(c.environments, "environment map", "environment maps"), needed.shading,
+       textures, "no file opened, nothing uploaded"},
+      {"environment", named(c.environments, "environment map", "environment maps"), maps,
        fmt::format("no file opened; with textures {} not read, not uploaded", megabytes(c.image_bytes))},
       {"lights",
        fmt::format("{}, {}", named(scene.lights.size(), "light", "lights"),
@@ -160,7 +195,9 @@ Explanation explain(const std::string& scene_path, int width, int height, const 
   e.everything = everything.cost;
   e.needed.read_seconds = read_needed;
   e.everything.read_seconds = read_everything;
-  e.rows = feature_rows(whole, needed.renderer->state().features);
+  e.rows = feature_rows(whole, needed.renderer->state().features, needed.renderer->state().scene_constants);
+  if (std::holds_alternative<DirectLightingJob>(job))
+    add_shading_rows(needed.renderer->state().scene_constants, e.rows);
   return e;
 }
 

@@ -70,7 +70,7 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
   if (features.shading) {
     const ShadingData data = make_shading_data(scene, options.keep_everything);
     details = data.details;
-    upload_shading(data);
+    upload_shading(data, options.keep_everything);
     setup.wall["shading"] = seconds_since(start);
     start = Clock::now();
   }
@@ -93,7 +93,9 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
   if (compiling.valid()) compiling.get();
   start = Clock::now();
   scene_constants[layout::kSpecStackSize] = stack_array(geometry.bvh.stack_entries);
-  const std::size_t largest = std::max(geometry.bvh.texels.size(), geometry.primitives.size()) * 16;
+  std::size_t largest = std::max(geometry.bvh.texels.size(), geometry.primitives.size()) * 16;
+  for (const gpu::Buffer* buffer : {&materials, &textures, &lights, &environments})
+    largest = std::max(largest, buffer->bytes());
   if (options.fetch == "auto" && !fits(description, largest, kernels.texel_fetch())) {
     kernels.set_texel_fetch(fits(description, largest, true));
   }
@@ -127,15 +129,19 @@ void RendererState::upload(const Geometry& geometry) {
   tree.grid_scale = glm::vec4(glm::vec3(geometry.bvh.grid_scale), 0);
 }
 
-void RendererState::upload_shading(const ShadingData& data) {
+void RendererState::upload_shading(const ShadingData& data, bool everything) {
   warnings = data.warnings;
   light_list = {data.lights.kinds, data.lights.area_lights};
   materials = gpu::make_buffer<glm::uvec4>(device, data.materials.materials);
   textures = gpu::make_buffer<glm::uvec4>(device, data.materials.textures);
   lights = gpu::make_buffer<glm::uvec4>(device, data.lights.lights);
   environments = gpu::make_buffer<glm::uvec4>(device, data.lights.environments);
-  scene_constants[layout::kSpecMaterials] = data.materials.kinds;
-  scene_constants[layout::kSpecLightKinds] = data.lights.kind_bits();
+  // Everything: all code that needs no data of its own (textures, maps) and chooses no other way to find
+  // lights (meshes).
+  constexpr std::uint32_t kAllMaterials = layout::kHasTexture - 1;
+  constexpr std::uint32_t kAllLights = 0xffu & ~(1u << layout::kLightTriangles) & ~(1u << layout::kLightMap);
+  scene_constants[layout::kSpecMaterials] = data.materials.kinds | (everything ? kAllMaterials : 0);
+  scene_constants[layout::kSpecLightKinds] = data.lights.kind_bits() | (everything ? kAllLights : 0);
   scene_constants[layout::kSpecOctahedral] = data.lights.octahedral ? 1 : 0;
   scene_constants[layout::kSpecDetailNormals] = data.details.normals ? 1 : 0;
   scene_constants[layout::kSpecDetailUvs] = data.details.uvs ? 1 : 0;

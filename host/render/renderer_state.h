@@ -75,7 +75,7 @@ struct RendererState {
   void compile_for(const Job& job);
   void grow(gpu::Buffer& buffer, const std::vector<glm::uvec4>& texels);
   void upload(const struct Geometry& geometry);
-  void upload_shading(const ShadingData& data);
+  void upload_shading(const ShadingData& data, bool everything);
   void bind_all(gpu::Kernel& kernel, bool primary) const;
 
   struct Bound {

@@ -44,12 +44,12 @@ TEST(Render, ProfileHasARowAStage) {
   const Outcome render =
       run("render " + triangle_scene(folder) + " --samples 4 --profile -o " + (folder / "a.exr"));
   ASSERT_EQ(render.exit_code, 0) << render.err;
-  for (const char* stage : {"read", "build", "upload", "compile", "points", "primary", "shade", "occlusion",
+  for (const char* stage : {"read", "build", "upload", "compile", "points", "primary", "shading", "occlusion",
                             "resolve", "write", "whole"}) {
     EXPECT_NE(render.err.find(std::string("\n") + stage + " "), std::string::npos) << stage << "\n"
                                                                                    << render.err;
   }
-  EXPECT_NE(render.err.find("materials and lights: left out"), std::string::npos);
+  EXPECT_NE(render.err.find("materials and lights, their tables: left out"), std::string::npos);
 }
 
 TEST(Render, ExplainComparesWithEverythingKept) {

@@ -163,12 +163,12 @@ TEST(LightSampling, DomainsAreThoseOfTheTable) {
   const std::string ball = lamp("Translate 0 0 4 Shape \"sphere\" \"float radius\" 2");
   EXPECT_EQ(domain(lamp("Shape \"disk\"")), SampleDomain::disk);
   EXPECT_EQ(domain(ball), SampleDomain::disk);
-  EXPECT_EQ(domain(ball, {0, 0, 3}), SampleDomain::square);
+  EXPECT_EQ(domain(ball, {0, 0, 3}), SampleDomain::cylinder);
   EXPECT_EQ(domain("LightSource \"infinite\" \"rgb L\" [1 1 1]"), SampleDomain::disk);
   EXPECT_EQ(domain(lamp(kFloor)), SampleDomain::square);
   const Image map = stiff_map(4, 2);
   EXPECT_EQ(Lit("LightSource \"infinite\" \"string mapname\" \"map\"", &map).lights.domain(0, glm::dvec3(0)),
-            SampleDomain::square);
+            SampleDomain::cylinder);
 }
 
 TEST(LightSampling, SidesThatDoNotEmitGiveNothing) {

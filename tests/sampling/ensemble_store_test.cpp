@@ -16,7 +16,10 @@ namespace fs = std::filesystem;
 /// The user's cache in a folder of its own, while it lives.
 class OtherCache {
  public:
-  OtherCache() : folder_(fs::path(testing::TempDir()) / "capcon-ensemble-store") {
+  OtherCache()  // a name a test: they run side by side
+      : folder_(fs::path(testing::TempDir()) /
+                (std::string("capcon-ensembles-") +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
     if (const char* old = std::getenv("XDG_CACHE_HOME")) old_ = old;
     fs::remove_all(folder_);
     setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
