@@ -290,7 +290,7 @@ RenderResult render_direct_lighting(RendererState& state, const DirectLightingJo
   if (std::uint64_t(job.image_samples) * job.integrator_samples > (1u << 24))
     throw InputError("more than 2^24 samples a pixel are too many for one image; average several seeds");
   assert(first_row >= 0 && rows > 0 && first_row + rows <= state.film.height);
-  assert(state.features.shading);
+  if (!state.features.shading) throw Failure("this renderer was made for ambient occlusion alone");
   return Pass(state, job, first_row, rows, on_progress).run();
 }
 

@@ -15,7 +15,7 @@ std::string split_name(const StudySettings& s, std::uint32_t image) {
 }
 
 std::string flat_sentence(const StudySettings& s, const Flatness& f) {
-  return fmt::format("{} stays within {:.0f} % of its mean, {}, over all splits (farthest at {}).", f.variant,
+  return fmt::format("{} stays within {:.1f} % of its mean, {}, over all splits (farthest at {}).", f.variant,
                      100 * f.farthest, scientific(f.mean), split_name(s, f.at));
 }
 
