@@ -1,25 +1,14 @@
 #include "render/direct_lighting.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
-#include <chrono>
 
 #include "base/error.h"
-#include "render/dispatch.h"
+#include "render/pass.h"
 #include "render/sample_order.h"
 
 namespace capcon {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-glm::vec4 with_word(glm::dvec3 v, std::uint32_t w) {
-  return {glm::vec3(v), std::bit_cast<float>(w)};
-}
 
 /// Samples of a pixel in one dispatch: a thread of resolve.comp adds them up in one loop.
 constexpr std::uint32_t kMostSamples = 1u << 14;
@@ -84,17 +73,13 @@ KernelVariant bsdf_variant(const DirectLightingJob& job, std::uint32_t sampler_i
 }
 
 /// One job under way.
-class Pass {
+class DirectLightingPass : Pass {
  public:
-  Pass(RendererState& state, const DirectLightingJob& job, int first_row, int rows,
-       const std::function<void(double)>& on_progress)
-      : s_(state), job_(job), on_progress_(on_progress) {
-    const auto width = static_cast<std::uint32_t>(state.film.width);
-    first_ = width * static_cast<std::uint32_t>(first_row);
-    pixels_ = width * static_cast<std::uint32_t>(rows);
-    result_.image = Image(state.film.width, rows, 3);
-    jittered_ = job.position == PixelPosition::jittered;
-  }
+  DirectLightingPass(RendererState& state, const DirectLightingJob& job, int first_row, int rows,
+                     const std::function<void(double)>& on_progress)
+      : Pass(state, first_row, rows, 3, on_progress),
+        job_(job),
+        jittered_(job.position == PixelPosition::jittered) {}
 
   RenderResult run() {
     auto start = Clock::now();
@@ -104,9 +89,7 @@ class Pass {
     make_kernels();
     result_.timings.wall["compile"] = s_.kernels.take_compile_seconds();
     result_.first_dispatch = Clock::now();
-    for (std::uint32_t done = 0; done < pixels_; done += band_pixels_) {
-      band_ = first_ + done;
-      band_pixels_ = static_cast<std::uint32_t>(std::min<std::size_t>(s_.band_pixels, pixels_ - done));
+    each_band([&](std::uint32_t first) {
       s_.sums.clear();
       if (jittered_) {
         for (std::uint32_t p = 0; p < job_.image_samples; ++p)
@@ -114,11 +97,10 @@ class Pass {
       } else {
         image_sample(0, 0, job_.samples());
       }
-      resolve(done);
-    }
+      resolve(first);
+    });
     const std::uint64_t singles = (lights_.size() - sampled_) * (jittered_ ? job_.image_samples : 1);
     result_.rays = pixels_ * (job_.samples() * (sampled_ + (bsdf_ ? 1 : 0)) + singles);
-    result_.device = s_.description.name;
     return std::move(result_);
   }
 
@@ -151,32 +133,28 @@ class Pass {
 
   /// The integrator samples first ... first + count - 1 of each pixel of the band, from its image sample p.
   void image_sample(std::uint32_t p, std::uint32_t first, std::uint32_t count) {
-    primary(p);
+    primary(*primary_, image_tables_, jittered_, job_.seed, job_.image_samples, p);
     emission(static_cast<float>(count));
     if (lights_.empty() && !bsdf_) return;
     single_samples(first, count);
     if (sampled_ == 0 && !bsdf_) return;
     const std::uint32_t part = std::min(count, kMostSamples);
-    const auto batch_pixels = static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kBatchLanes / part));
+    const std::uint64_t batch_pixels = std::max<std::uint64_t>(1, kBatchLanes / part);
     for (std::uint32_t from = 0; from < count; from += part) {
       const std::uint32_t samples = std::min(part, count - from);
-      for (std::uint32_t pixel = 0; pixel < band_pixels_; pixel += batch_pixels) {
-        const std::uint32_t batch = std::min(batch_pixels, band_pixels_ - pixel);
-        samples_of(band_ + pixel, batch, first + from, samples);
-        done_ += static_cast<double>(batch) * samples;
-        if (on_progress_) on_progress_(done_ / (static_cast<double>(pixels_) * job_.samples()));
-      }
+      each_piece(batch_pixels, [&](std::uint32_t pixel, std::uint32_t pixels) {
+        samples_of(band_ + pixel, pixels, first + from, samples);
+        progress(static_cast<double>(pixels) * samples, static_cast<double>(pixels_) * job_.samples());
+      });
     }
   }
 
   /// Point and distant lights: all samples are the same, and one stands for them.
   void single_samples(std::uint32_t first, std::uint32_t count) {
     if (sampled_ == lights_.size()) return;
-    for (std::uint64_t pixel = 0; pixel < band_pixels_; pixel += kBatchLanes) {
-      const auto batch =
-          static_cast<std::uint32_t>(std::min<std::uint64_t>(kBatchLanes, band_pixels_ - pixel));
-      samples_of(band_ + static_cast<std::uint32_t>(pixel), batch, first, 1, static_cast<float>(count));
-    }
+    each_piece(kBatchLanes, [&](std::uint32_t pixel, std::uint32_t pixels) {
+      samples_of(band_ + pixel, pixels, first, 1, static_cast<float>(count));
+    });
   }
 
   /// With a weight above 0: the single samples alone.
@@ -212,40 +190,12 @@ class Pass {
     submit(*sum_, &sum, groups_for(pixels), "resolve");
   }
 
-  void primary(std::uint32_t sample_index) {
-    layout::PrimaryConstants push{};
-    push.tree = s_.tree;
-    push.eye = with_word(s_.view.eye, static_cast<std::uint32_t>(s_.film.width));
-    push.across = with_word(s_.view.across, band_);
-    push.down = with_word(s_.view.down, jittered_ ? 1 : 0);
-    push.words = words(image_tables_);
-    push.seed = job_.seed;
-    push.count = job_.image_samples;
-    push.sample_index = sample_index;
-    for (std::uint64_t first = 0; first < band_pixels_; first += kBatchLanes) {
-      const auto batch =
-          static_cast<std::uint32_t>(std::min<std::uint64_t>(kBatchLanes, band_pixels_ - first));
-      push.first_pixel = band_ + static_cast<std::uint32_t>(first);
-      push.corner = with_word(s_.view.corner, batch);
-      submit(*primary_, &push, groups_for(batch), "primary");
-    }
-  }
-
   void emission(float weight) {
     const auto lights = static_cast<std::uint32_t>(s_.light_list.kinds.size());
     if (lights == 0) return;
     layout::EmissionConstants push{band_,  band_pixels_, band_, s_.light_list.area_lights,
                                    lights, weight,       0,     0};
     submit(*emission_, &push, groups_for(band_pixels_), "emission");
-  }
-
-  void submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups, const std::string& stage) {
-    const auto start = Clock::now();
-    gpu::Commands commands(s_.device);
-    commands.dispatch(kernel, push, groups, stage);
-    commands.submit_and_wait();
-    for (const auto& time : commands.times()) result_.timings.device[time.stage] += time.seconds;
-    result_.timings.wall[stage] += seconds_since(start);
   }
 
   void resolve(std::uint32_t first) {
@@ -261,24 +211,14 @@ class Pass {
     result_.timings.wall["resolve"] += seconds_since(start);
   }
 
-  static glm::uvec4 words(const SamplerTables& t) {
-    return {t.constants[0], t.constants[1], t.constants[2], t.constants[3]};
-  }
-
-  RendererState& s_;
   const DirectLightingJob& job_;
-  const std::function<void(double)>& on_progress_;
-  bool jittered_ = false;
-  std::uint32_t first_ = 0, pixels_ = 0;      // of the rows asked for
-  std::uint32_t band_ = 0, band_pixels_ = 0;  // of those on the device
+  bool jittered_;
   SamplerTables tables_, image_tables_;
   std::vector<glm::uvec4> order_;
   glm::uvec4 split_{1};
   gpu::Kernel *primary_ = nullptr, *bsdf_ = nullptr, *sum_ = nullptr, *emission_ = nullptr;
   std::vector<gpu::Kernel*> lights_;  // one for each light, the same for those of a kind
   std::size_t sampled_ = 0;           // how many of them need more than one sample
-  RenderResult result_;
-  double done_ = 0;
 };
 
 }  // namespace
@@ -291,7 +231,7 @@ RenderResult render_direct_lighting(RendererState& state, const DirectLightingJo
     throw InputError("more than 2^24 samples a pixel are too many for one image; average several seeds");
   assert(first_row >= 0 && rows > 0 && first_row + rows <= state.film.height);
   if (!state.features.shading) throw Failure("this renderer was made for ambient occlusion alone");
-  return Pass(state, job, first_row, rows, on_progress).run();
+  return DirectLightingPass(state, job, first_row, rows, on_progress).run();
 }
 
 std::vector<KernelVariant> direct_lighting_kernels(const RendererState& state, const DirectLightingJob& job) {
