@@ -1,0 +1,58 @@
+#include "render/pass.h"
+
+#include <bit>
+
+namespace capcon {
+
+glm::vec4 with_word(const glm::dvec3& v, std::uint32_t w) {
+  return {glm::vec3(v), std::bit_cast<float>(w)};
+}
+
+Pass::Pass(RendererState& state, int first_row, int rows, int channels,
+           const std::function<void(double)>& on_progress)
+    : s_(state), on_progress_(on_progress) {
+  const auto width = static_cast<std::uint32_t>(state.film.width);
+  first_ = width * static_cast<std::uint32_t>(first_row);
+  pixels_ = width * static_cast<std::uint32_t>(rows);
+  result_.image = Image(state.film.width, rows, channels);
+  result_.device = state.description.name;
+}
+
+void Pass::primary(const gpu::Kernel& kernel, const SamplerTables& tables, bool jittered, std::uint32_t seed,
+                   std::uint32_t count, std::uint32_t sample_index) {
+  layout::PrimaryConstants push{};
+  push.tree = s_.tree;
+  push.eye = with_word(s_.view.eye, static_cast<std::uint32_t>(s_.film.width));
+  push.across = with_word(s_.view.across, band_);
+  push.down = with_word(s_.view.down, jittered ? 1 : 0);
+  push.words = words(tables);
+  push.seed = seed;
+  push.count = count;
+  push.sample_index = sample_index;
+  each_piece(kBatchLanes, [&](std::uint32_t first, std::uint32_t pixels) {
+    push.first_pixel = band_ + first;
+    push.corner = with_word(s_.view.corner, pixels);
+    submit(kernel, &push, groups_for(pixels), "primary");
+  });
+}
+
+void Pass::submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups,
+                  const std::string& stage) {
+  const auto start = Clock::now();
+  gpu::Commands commands(s_.device);
+  commands.dispatch(kernel, push, groups, stage);
+  commands.submit_and_wait();
+  for (const auto& time : commands.times()) result_.timings.device[time.stage] += time.seconds;
+  result_.timings.wall[stage] += seconds_since(start);
+}
+
+void Pass::progress(double lanes, double all) {
+  done_ += lanes;
+  if (on_progress_) on_progress_(done_ / all);
+}
+
+glm::uvec4 Pass::words(const SamplerTables& t) {
+  return {t.constants[0], t.constants[1], t.constants[2], t.constants[3]};
+}
+
+}  // namespace capcon
