@@ -49,7 +49,7 @@ LogAxis::LogAxis(double low, double high, double start, double end, Style style)
       continue;
     }
     // On a short axis one decade alone would leave it without words.
-    const bool short_axis = decades < (style == Style::seconds ? 2.6 : 1.7);
+    const bool short_axis = decades < (style == Style::seconds ? 1.9 : 1.7);
     for (int mantissa = 1; mantissa < 10; ++mantissa) {
       const double value = mantissa * power;
       std::string label;
