@@ -19,6 +19,14 @@ std::string flat_sentence(const StudySettings& s, const Flatness& f) {
                      100 * f.farthest, scientific(f.mean), split_name(s, f.at));
 }
 
+/// With places of their own, more image samples smooth edges too, and no split is like another.
+std::string falling_sentence(const StudySettings& s, const Curve& curve) {
+  return fmt::format(
+      "{} errs {} at {} and {} at {}: edges are smoothed by image samples, at places of their own.",
+      curve.sampler, scientific(curve.cells.front().mse.value), split_name(s, curve.cells.front().samples),
+      scientific(curve.cells.back().mse.value), split_name(s, curve.cells.back().samples));
+}
+
 /// "1.31 (1.25 to 1.38) at 4x4, ..." of a variant beside another.
 std::string ratios_text(const StudySettings& s, const Figures& figures, const std::string& variant,
                         const std::string& baseline) {
@@ -57,7 +65,9 @@ std::vector<std::string> make_split_findings(const StudySettings& s, const Figur
     return a.variant.starts_with("capcon") > b.variant.starts_with("capcon");
   });
   for (const Flatness& f : all) {
-    if (parse_variant(f.variant).partition) findings.push_back(flat_sentence(s, f));
+    if (!parse_variant(f.variant).partition) continue;
+    findings.push_back(s.position == PixelPosition::centre ? flat_sentence(s, f)
+                                                           : falling_sentence(s, *figures.curve(f.variant)));
   }
   for (const std::string& name : s.samplers) {
     const Variant variant = parse_variant(name);

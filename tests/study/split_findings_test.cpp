@@ -45,6 +45,14 @@ TEST(SplitFindings, NaiveStandsBesideItsSampler) {
   EXPECT_NE(findings[0].find("farthest at 4x4"), std::string::npos) << findings[0];
 }
 
+TEST(SplitFindings, PlacesOfTheirOwnAreNoFlatness) {
+  StudyResult result = split_study();
+  result.settings.position = PixelPosition::jittered;
+  const auto findings = make_split_findings(result.settings, make_figures(result));
+  EXPECT_NE(findings[0].find("at 1x16 and"), std::string::npos) << findings[0];
+  for (const std::string& f : findings) EXPECT_EQ(f.find("stays within"), std::string::npos) << f;
+}
+
 TEST(SplitFindings, VariantsAreParsed) {
   EXPECT_TRUE(parse_variant("capcon").partition);
   EXPECT_EQ(parse_variant("capcon-domain").sampler, "capcon-domain");
