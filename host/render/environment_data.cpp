@@ -1,6 +1,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/parallel.h"
 #include "render/light_data.h"
 #include "render/texels.h"
 
@@ -46,10 +47,12 @@ std::uint32_t append_map(const Image& image, const EnvironmentTable& table, std:
   const std::uint32_t columns = append_words(table.columns, texels);
   const std::uint32_t column_guide = append_words(table.column_guide, texels);
   const auto pixels = static_cast<std::uint32_t>(texels.size());
-  for (int y = 0; y < image.height; ++y) {
+  texels.resize(texels.size() + std::size_t(image.width) * image.height);
+  parallel_for(image.height, [&](std::size_t y) {
+    glm::uvec4* row = &texels[pixels + y * image.width];
     for (int x = 0; x < image.width; ++x)
-      texels.push_back(make_texel(sphere_texel(table.map, image, x, y), 0u));
-  }
+      row[x] = make_texel(sphere_texel(table.map, image, x, static_cast<int>(y)), 0u);
+  });
   texels[base] = {rows, row_guide, columns, column_guide};
   texels[base + 1] = {pixels, table.width, table.height, table.map == SphereMap::octahedral ? 1 : 0};
   return base;

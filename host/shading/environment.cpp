@@ -90,6 +90,25 @@ glm::dvec3 mean_over_texel(const Image& image, SphereMap map, int x, int y) {
   return sum;
 }
 
+/// The same for a whole row, in two passes where neighbours lie side by side: a third of the work.
+std::vector<glm::dvec3> means_over_row(const Image& image, SphereMap map, int y) {
+  const int w = image.width;
+  std::vector<glm::dvec3> means(w);
+  const bool folded = map == SphereMap::octahedral && (y == 0 || y == image.height - 1);
+  if (folded || w < 2) {
+    for (int x = 0; x < w; ++x) means[x] = mean_over_texel(image, map, x, y);
+    return means;
+  }
+  std::vector<glm::dvec3> across(w);
+  for (int x = 0; x < w; ++x) {
+    across[x] = 0.125 * sphere_texel(map, image, x, y - 1) + 0.75 * sphere_texel(map, image, x, y) +
+                0.125 * sphere_texel(map, image, x, y + 1);
+  }
+  for (int x = 1; x + 1 < w; ++x) means[x] = 0.125 * (across[x - 1] + across[x + 1]) + 0.75 * across[x];
+  for (const int x : {0, w - 1}) means[x] = mean_over_texel(image, map, x, y);
+  return means;
+}
+
 double cell_pdf(const EnvironmentTable& table, std::uint32_t x, std::uint32_t y) {
   const auto sums = row_sums(table, y);
   const double units = static_cast<double>(table.rows[y + 1] - table.rows[y]) * (sums[x + 1] - sums[x]);
@@ -112,11 +131,11 @@ EnvironmentTable tabulate_environment(const Image& image, SphereMap map) {
   std::vector<glm::dvec3> integrals(h, glm::dvec3(0));
   parallel_for(h, [&](std::size_t y) {
     std::vector<double> weights(w);
+    const std::vector<glm::dvec3> means = means_over_row(image, map, static_cast<int>(y));
     const double solid_angle = texel_solid_angle(map, image.width, image.height, static_cast<int>(y));
     for (std::size_t x = 0; x < w; ++x) {
-      const glm::dvec3 mean = mean_over_texel(image, map, static_cast<int>(x), static_cast<int>(y));
-      integrals[y] += mean * solid_angle;
-      weights[x] = luminance(mean);
+      integrals[y] += means[x] * solid_angle;
+      weights[x] = luminance(means[x]);
       rows[y] += weights[x] * solid_angle;
     }
     accumulate(weights, row_sums(table, y));
