@@ -12,12 +12,14 @@ void add_tiles_verb(CLI::App& app) {
                                       "  capcon tiles verify shipped\n"
                                       "  capcon tiles show shipped --width 4 -o tiling.svg\n"
                                       "  capcon tiles sheet c2n64 -o sheet.png\n"
-                                      "  capcon tiles make -o my.tiles\n");
+                                      "  capcon tiles make -o my.tiles\n"
+                                      "  capcon tiles parts -o c2n16.parts\n");
   verb->require_subcommand(1);
   add_tiles_make(*verb);
   add_tiles_verify(*verb);
   add_tiles_show(*verb);
   add_tiles_sheet(*verb);
+  add_tiles_parts(*verb);
 }
 
 TileSet named_tile_set(const std::string& name) {

@@ -11,6 +11,7 @@ void add_tiles_make(CLI::App& tiles);
 void add_tiles_verify(CLI::App& tiles);
 void add_tiles_show(CLI::App& tiles);
 void add_tiles_sheet(CLI::App& tiles);
+void add_tiles_parts(CLI::App& tiles);
 
 /// The tile set of a file, or a shipped one for its name: "shipped" (the same as "c2n16"), "c2n64",
 /// "c3n16-compact".

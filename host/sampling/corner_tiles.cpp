@@ -1,63 +1,16 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <optional>
-#include <utility>
-
 #include "base/error.h"
-#include "base/hash.h"
 #include "layout.h"
 #include "sampling/address.h"
 #include "sampling/bits.h"
+#include "sampling/parts_store.h"
 #include "sampling/samplers.h"
-#include "sampling/tiling_parts.h"
 #include "tiling/tiling.h"
 
 namespace capcon {
 namespace {
 
-/// How a set of n points is cut into tiles: a^2 + b^2 tiles with the first `ranks` points each, `extra` tiles
-/// one more.
-struct Cut {
-  std::uint32_t a = 1, b = 0, ranks = 1, extra = 0;
-};
-
-/// The cut with the fewest left-over points, then the one that uses most of each tile; n <= tile points: one
-/// tile.
-Cut choose_cut(std::uint32_t n, std::uint32_t tile_points) {
-  if (n <= tile_points) return {1, 0, n, 0};
-  std::optional<Cut> best;
-  const auto limit = static_cast<std::uint32_t>(std::sqrt(2.0 * n / tile_points)) + 3;
-  for (std::uint32_t a = 1; a <= limit; ++a) {
-    for (std::uint32_t b = 0; b <= a; ++b) {
-      const std::uint32_t tiles = a * a + b * b;
-      const Cut cut{a, b, n / tiles, n % tiles};
-      const bool fits = cut.ranks + (cut.extra > 0 ? 1 : 0) <= tile_points && 2 * cut.ranks >= tile_points;
-      if (!fits) continue;
-      const auto key = [](const Cut& c) {
-        return std::pair(c.extra > 0 ? 1 : 0, -static_cast<int>(c.ranks));
-      };
-      if (!best || key(cut) < key(*best)) best = cut;
-    }
-  }
-  return best.value();
-}
-
-CellPoints points_of(const Cut& cut, const GaussianTiling& tiling) {
-  CellPoints points{std::vector<std::uint32_t>(tiling.size()), cut.ranks, cut.extra};
-  // Tiles with an extra point come first: in an order by hash, so that they do not lie side by side.
-  std::iota(points.cells.begin(), points.cells.end(), 0u);
-  if (cut.extra > 0) {
-    std::sort(points.cells.begin(), points.cells.end(),
-              [](std::uint32_t x, std::uint32_t y) { return mix64(0, 0, x) < mix64(0, 0, y); });
-  }
-  return points;
-}
-
-// With parts, and at most this many tiles, all tilings are stored whole: 32 of at most 80 points.
-constexpr std::uint32_t kWholeTiles = 5;
 // In the second word: points come in the order that the table says.
 constexpr std::uint32_t kDealt = 0x80000000u;
 
@@ -96,19 +49,25 @@ class CornerTileSampler final : public Sampler {
   }
 
  private:
-  CornerTileSampler(const TileSet& set, const Cut& cut, std::uint32_t count, std::uint32_t seed,
+  CornerTileSampler(const TileSet& set, const TilingCut& cut, std::uint32_t count, std::uint32_t seed,
                     std::uint32_t parts)
       : Sampler("capcon", count, seed, parts),
         tiling_(cut.a, cut.b),
-        cells_(points_of(cut, tiling_)),
-        whole_(parts > 1 && tiling_.size() <= kWholeTiles) {
+        cells_(cell_points(cut, tiling_)),
+        whole_(parts > 1 && has_whole_tilings(tiling_)) {
+    TilingParts dealt;
+    if (parts > 1) dealt = shipped_or_made_parts(set, tiling_, cells_, parts);
     if (whole_) {
-      places_ = parts_of_whole_tilings(set, tiling_, cells_, parts);
+      for (std::uint32_t colouring = 0; colouring < dealt.orders.size(); ++colouring) {
+        const std::vector<FixedPoint> points = whole_tiling(set, tiling_, cells_, colouring);
+        for (const std::uint32_t number : dealt.orders[colouring]) places_.push_back(points[number]);
+      }
       return;
     }
-    DealtCells dealt;
-    if (parts > 1) dealt = deal_cells(set, tiling_, cells_, parts);
-    order_ = std::move(dealt.order);
+    for (std::uint32_t i = 0; parts > 1 && i < count; ++i) {
+      const CellPoints::Where at = cells_.where(dealt.orders[0][i]);
+      order_.push_back(at.place | at.rank << 16);
+    }
     for (std::size_t t = 0; t < set.tiles.size(); ++t) {
       for (std::uint32_t s = 0; s < cells_.most(); ++s) {
         const std::uint32_t rank = parts > 1 ? dealt.rank[t][s] : s;
@@ -124,24 +83,14 @@ class CornerTileSampler final : public Sampler {
 
   /// On the torus, not shifted yet.
   FixedPoint place(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const {
-    std::uint32_t at, rank;
-    if (order_.empty()) {
-      const std::uint32_t longer = cells_.extra * (cells_.ranks + 1);
-      const bool in_longer = index < longer;
-      const std::uint32_t from = in_longer ? index : index - longer;
-      const std::uint32_t length = cells_.ranks + (in_longer ? 1 : 0);
-      at = from / length + (in_longer ? 0 : cells_.extra);
-      rank = from % length;
-    } else {
-      at = order_[index] & 0xffff;
-      rank = order_[index] >> 16;
-    }
-    const std::uint32_t cell = cells_.cells[at];
+    const CellPoints::Where at =
+        order_.empty() ? cells_.where(index) : CellPoints::Where{order_[index] & 0xffff, order_[index] >> 16};
+    const std::uint32_t cell = cells_.cells[at.place];
     const auto corners = tiling_.corners(cell);
     std::uint32_t tile = 0;
     for (int corner = 0; corner < 4; ++corner) tile |= colour(pixel, dimension, corners[corner]) << corner;
     const FixedPoint origin = tiling_.origin(cell);
-    const FixedPoint place = places_[tile * cells_.most() + rank];
+    const FixedPoint place = places_[tile * cells_.most() + at.rank];
     return {origin.x + place.x, origin.y + place.y};
   }
 
@@ -154,7 +103,7 @@ class CornerTileSampler final : public Sampler {
   CellPoints cells_;
   bool whole_;
   std::vector<FixedPoint> places_;    ///< of whole tilings on the torus; else of the tiles' slots
-  std::vector<std::uint32_t> order_;  ///< of parts: DealtCells::order
+  std::vector<std::uint32_t> order_;  ///< of parts: place of the cell | slot << 16
 };
 
 }  // namespace

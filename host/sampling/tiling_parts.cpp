@@ -14,6 +14,8 @@ namespace capcon {
 namespace {
 
 constexpr std::uint64_t kPartitionSeed = 1;
+// With parts, and at most this many tiles, all tilings are stored whole: 32 of at most 80 points.
+constexpr std::uint32_t kWholeTiles = 5;
 
 /// Indices of the points part by part, in Morton order within a part.
 std::vector<std::uint32_t> part_order(const std::vector<FixedPoint>& places, std::uint32_t parts) {
@@ -30,10 +32,6 @@ std::vector<std::uint32_t> part_order(const std::vector<FixedPoint>& places, std
   return order;
 }
 
-std::uint32_t points_in(const CellPoints& points, std::size_t place) {
-  return points.ranks + (place < points.extra ? 1 : 0);
-}
-
 /// The cells in an order in which neighbours lie close, as places in CellPoints::cells.
 std::vector<std::uint32_t> near_order(const GaussianTiling& tiling, const CellPoints& points) {
   std::vector<std::uint32_t> order(points.cells.size());
@@ -47,12 +45,12 @@ std::vector<std::uint32_t> near_order(const GaussianTiling& tiling, const CellPo
 }
 
 /// As many points in every tile, which `parts` divides: a part is what bears its label.
-DealtCells deal_by_labels(TileSet set, const GaussianTiling& tiling, const CellPoints& points,
-                          std::uint32_t parts) {
+TilingParts deal_by_labels(TileSet set, const GaussianTiling& tiling, const CellPoints& points,
+                           std::uint32_t parts) {
   set.points_per_tile = points.ranks;
   for (auto& tile : set.tiles) tile.resize(std::min<std::size_t>(tile.size(), points.ranks));
   const TileLabels labels = label_parts(set, parts);
-  DealtCells result;
+  TilingParts result;
   for (std::size_t t = 0; t < labels.size(); ++t) {
     auto& ranks = result.rank.emplace_back(labels[t].size());
     std::iota(ranks.begin(), ranks.end(), 0u);
@@ -63,40 +61,50 @@ DealtCells deal_by_labels(TileSet set, const GaussianTiling& tiling, const CellP
     std::sort(ranks.begin(), ranks.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   }
   const std::uint32_t slots = points.ranks / parts;
+  auto& order = result.orders.emplace_back();
   for (std::uint32_t p = 0; p < parts; ++p) {
     for (const std::uint32_t i : near_order(tiling, points))
-      for (std::uint32_t s = 0; s < slots; ++s) result.order.push_back(i | (p * slots + s) << 16);
+      for (std::uint32_t s = 0; s < slots; ++s) order.push_back(i * points.ranks + p * slots + s);
   }
+  return result;
+}
+
+/// Every colouring's own partition.
+TilingParts partition_tilings(const TileSet& set, const GaussianTiling& tiling, const CellPoints& points,
+                              std::uint32_t parts) {
+  TilingParts result;
+  result.orders.resize(std::size_t(1) << tiling.size());
+  parallel_for(result.orders.size(), [&](std::size_t colouring) {
+    result.orders[colouring] = part_order(whole_tiling(set, tiling, points, std::uint32_t(colouring)), parts);
+  });
   return result;
 }
 
 }  // namespace
 
-std::vector<FixedPoint> parts_of_whole_tilings(const TileSet& set, const GaussianTiling& tiling,
-                                               const CellPoints& points, std::uint32_t parts) {
-  const std::uint32_t colourings = 1u << tiling.size();
-  const std::uint32_t n = tiling.size() * points.ranks + points.extra;
-  std::vector<FixedPoint> result(std::size_t(colourings) * n);
-  parallel_for(colourings, [&](std::size_t colouring) {
-    std::vector<std::uint32_t> colours(tiling.size());
-    for (std::uint32_t v = 0; v < colours.size(); ++v) colours[v] = std::uint32_t(colouring >> v) & 1;
-    std::vector<FixedPoint> places;
-    for (std::size_t i = 0; i < points.cells.size(); ++i) {
-      const std::uint32_t cell = points.cells[i];
-      const auto& tile = set.tiles[tile_of(tiling, colours, set.colours, cell)];
-      for (std::uint32_t r = 0; r < points_in(points, i); ++r) {
-        const FixedPoint origin = tiling.origin(cell), place = tiling.place(tile[r].position);
-        places.push_back({origin.x + place.x, origin.y + place.y});
-      }
-    }
-    const auto order = part_order(places, parts);
-    for (std::uint32_t i = 0; i < n; ++i) result[colouring * n + i] = places[order[i]];
-  });
-  return result;
+bool has_whole_tilings(const GaussianTiling& tiling) {
+  return tiling.size() <= kWholeTiles;
 }
 
-DealtCells deal_cells(const TileSet& set, const GaussianTiling& tiling, const CellPoints& points,
-                      std::uint32_t parts) {
+std::vector<FixedPoint> whole_tiling(const TileSet& set, const GaussianTiling& tiling,
+                                     const CellPoints& points, std::uint32_t colouring) {
+  std::vector<std::uint32_t> colours(tiling.size());
+  for (std::uint32_t v = 0; v < colours.size(); ++v) colours[v] = (colouring >> v) & 1;
+  std::vector<FixedPoint> places;
+  for (std::size_t i = 0; i < points.cells.size(); ++i) {
+    const std::uint32_t cell = points.cells[i];
+    const auto& tile = set.tiles[tile_of(tiling, colours, set.colours, cell)];
+    for (std::uint32_t r = 0; r < points.points_in(i); ++r) {
+      const FixedPoint origin = tiling.origin(cell), place = tiling.place(tile[r].position);
+      places.push_back({origin.x + place.x, origin.y + place.y});
+    }
+  }
+  return places;
+}
+
+TilingParts make_tiling_parts(const TileSet& set, const GaussianTiling& tiling, const CellPoints& points,
+                              std::uint32_t parts) {
+  if (has_whole_tilings(tiling)) return partition_tilings(set, tiling, points, parts);
   // One point of a part a tile would leave it near a lattice: half as much again error at edges along it.
   if (points.extra == 0 && points.ranks % parts == 0 && points.ranks > parts)
     return deal_by_labels(set, tiling, points, parts);
@@ -114,18 +122,14 @@ DealtCells deal_cells(const TileSet& set, const GaussianTiling& tiling, const Ce
     slots.place.push_back(sum / tiles);
   }
   std::vector<FixedPoint> places;
-  std::vector<std::uint32_t> names;
   for (std::uint32_t i = 0; i < points.cells.size(); ++i) {
     const FixedPoint origin = tiling.origin(points.cells[i]);
-    for (std::uint32_t s = 0; s < points_in(points, i); ++s) {
+    for (std::uint32_t s = 0; s < points.points_in(i); ++s) {
       const FixedPoint place = tiling.place(to_fixed(slots.place[s]));
       places.push_back({origin.x + place.x, origin.y + place.y});
-      names.push_back(i | s << 16);
     }
   }
-  DealtCells result{std::move(slots.rank), {}};
-  for (const std::uint32_t i : part_order(places, parts)) result.order.push_back(names[i]);
-  return result;
+  return {std::move(slots.rank), {part_order(places, parts)}};
 }
 
 }  // namespace capcon

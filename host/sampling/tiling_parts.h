@@ -3,33 +3,36 @@
 #include <cstdint>
 #include <vector>
 
-#include "tiling/gaussian_tiling.h"
+#include "sampling/tiling_cut.h"
 #include "tiling/tile_set.h"
 
 namespace capcon {
 
-/// How many points each cell of a tiling has: the first `ranks` of its tile, the first `extra` cells (in the
-/// order of `cells`) one more.
-struct CellPoints {
-  std::vector<std::uint32_t> cells;  ///< every cell of the tiling once
-  std::uint32_t ranks = 1, extra = 0;
-  std::uint32_t most() const { return ranks + (extra > 0 ? 1 : 0); }
+/// How the points of a tiling are dealt to parts, whatever the tiling; numbers only, so that it can be
+/// shipped (parts_file.h).
+///
+/// Few tiles have few colourings: `rank` is empty and every colouring has an order of its own, its own
+/// partition (appendix A.2); bit v of a colouring is the colour of vertex v. Else one order serves all
+/// colourings, and `rank` says what point of its tile a slot stands for: where a part has as many points in
+/// every tile, two or more, the tiles' points are labelled (tile_labels.h); else the places that the tiles'
+/// points have nearly in common (tile_slots.h) are cut by the partition.
+struct TilingParts {
+  std::vector<std::vector<std::uint32_t>> rank;    ///< [tile][slot], a permutation of the ranks
+  std::vector<std::vector<std::uint32_t>> orders;  ///< [colouring, or 0][i]: point number (CellPoints), part
+                                                   ///< by part; slots number points where there are any
+
+  bool operator==(const TilingParts&) const = default;
 };
 
-/// The parts of the tilings of a torus, where few tiles have few colourings: every colouring's own partition
-/// (appendix A.2). places[colouring * n + i] is point i on the torus, part by part, in Morton order within;
-/// bit v of the colouring is the colour of vertex v.
-std::vector<FixedPoint> parts_of_whole_tilings(const TileSet& set, const GaussianTiling& tiling,
-                                               const CellPoints& points, std::uint32_t parts);
+/// Whether every colouring of a tiling has an order of its own: at most five tiles.
+bool has_whole_tilings(const GaussianTiling& tiling);
 
-/// The parts of any tiling of a torus with many tiles. Where a part has as many points in every tile, two or
-/// more, the tiles' points are labelled (tile_labels.h); else the places that the tiles' points have nearly
-/// in common (tile_slots.h) are cut by the partition.
-struct DealtCells {
-  std::vector<std::vector<std::uint32_t>> rank;  ///< [tile][slot]: what point of the tile a slot stands for
-  std::vector<std::uint32_t> order;  ///< [i]: place in CellPoints::cells | slot << 16, part by part
-};
-DealtCells deal_cells(const TileSet& set, const GaussianTiling& tiling, const CellPoints& points,
-                      std::uint32_t parts);
+/// `parts` divides the number of points. For complete sets of two colours. Deterministic.
+TilingParts make_tiling_parts(const TileSet& set, const GaussianTiling& tiling, const CellPoints& points,
+                              std::uint32_t parts);
+
+/// The points of a coloured tiling on the torus, by number.
+std::vector<FixedPoint> whole_tiling(const TileSet& set, const GaussianTiling& tiling,
+                                     const CellPoints& points, std::uint32_t colouring);
 
 }  // namespace capcon

@@ -47,6 +47,40 @@ TEST(Tiles, MakeAndVerifyFarthestPoints) {
   EXPECT_NE(verified.out.find("above 3"), std::string::npos);
 }
 
+// The recipe of tiles/README.md.
+TEST(Tiles, PartsAreTheShippedOnes) {
+  const Folder folder;
+  const Outcome outcome = run("tiles parts -o " + (folder / "p.parts"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(contents(folder / "p.parts"), contents(CAPCON_SOURCE_DIR "/tiles/c2n16.parts"));
+  EXPECT_EQ(run("tiles parts").exit_code, 2);
+}
+
+// Said where they are used, with what to do; without the file all is as before.
+TEST(Tiles, BrokenPartsAreOneClearSentence) {
+  const Folder folder;
+  std::filesystem::create_directories(folder / "tiles");
+  std::filesystem::copy_file(CAPCON_SOURCE_DIR "/tiles/c2n16.tiles", folder / "tiles/c2n16.tiles");
+  const std::string parts = contents(CAPCON_SOURCE_DIR "/tiles/c2n16.parts");
+  folder.write("tiles/c2n16.parts", parts.substr(0, parts.size() / 2));
+  const std::string scene = folder.write("s.pbrt",
+                                         "Film \"rgb\" \"integer xresolution\" 8 \"integer yresolution\" 6\n"
+                                         "Camera \"perspective\"\nWorldBegin\nLightSource \"infinite\"\n"
+                                         "Translate 0 0 4\nShape \"sphere\"\n");
+  const std::string words =
+                        "render " + scene +
+                        " --integrator direct --split 4x4 --sampler capcon --device reference --quiet -o " +
+                        (folder / "a.exr"),
+                    data = "CAPCON_DATA=" + (folder / "");
+  const Outcome broken = run(words, data);
+  EXPECT_EQ(broken.exit_code, 2);
+  EXPECT_NE(broken.err.find("capcon tiles parts -o FILE"), std::string::npos) << broken.err;
+  EXPECT_EQ(std::count(broken.err.begin(), broken.err.end(), '\n'), 1) << broken.err;
+  std::filesystem::remove(folder / "tiles/c2n16.parts");
+  const Outcome without = run(words, data);
+  EXPECT_EQ(without.exit_code, 0) << without.err;
+}
+
 TEST(Tiles, SheetIsAPicture) {
   const Folder folder;
   const Outcome outcome =
