@@ -9,20 +9,13 @@
 namespace capcon {
 namespace {
 
-using std::numbers::pi;
 using test::direct_job;
 using test::kFloor;
 using test::lamp;
 using test::look_at_origin;
 using test::matte;
-using test::radiance;
 
-const Strategy kAll[] = {Strategy::lights, Strategy::bsdf, Strategy::power, Strategy::balance};
 const std::string kSky = "LightSource \"infinite\" \"rgb L\" [1 1 1]\n";
-const std::string kDown = "ReverseOrientation Translate 0 0 2 Shape \"disk\" ";
-
-/// Irradiance / pi from kDown's disk.
-constexpr double kOfDisk = 1 / 5.0;
 
 TEST(DirectLighting, SampleAddressesAreAsAgreed) {
   // A white floor under a white sky, half of which a black wall hides: each sample is worth 1 or 0 by the

@@ -58,7 +58,7 @@ TEST(Choice, IsStratifiedInEachPartAndInAll) {
 
 // Points that choose one component are as evenly in both halves of the BSDF's set as random ones are: the
 // variance of the number in one half, over that of a random half.
-TEST(Choice, HasNothingToDoWithTheBsdfsPoints) {
+TEST(Choice, IsIndependentOfTheBsdfsPoints) {
   for (const char* name : {"sobol-owen", "sobol-xor", "jittered", "capcon", "ccvt"}) {
     for (const std::uint32_t count : {64u, 100u}) {
       const auto sampler = make_sampler(name, count, 5);
