@@ -156,6 +156,7 @@ Outcome render(const Options& o, const Job& job, Scene& scene, PendingDevice dev
   Outcome outcome{reference.render(job, [&](double fraction) { progress.update(fraction); }),
                   std::move(timings),
                   {{"name", "reference"}}};
+  say(o, reference.warnings());
   merge(reference.setup(), outcome.timings);
   merge(outcome.result.timings, outcome.timings);
   write(o, outcome, start);

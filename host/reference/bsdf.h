@@ -46,6 +46,7 @@ class Bsdfs {
   explicit Bsdfs(const Scene& scene);
   /// `material`: as Shape::material.
   Bsdf at(int material, const glm::dvec2& uv) const;
+  const std::vector<std::string>& warnings() const { return materials_.warnings; }
 
  private:
   const Scene& scene_;

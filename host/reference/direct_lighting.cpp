@@ -82,6 +82,13 @@ struct DirectLighting::Vertex {
   }
 };
 
+std::vector<std::string> DirectLighting::warnings() const {
+  std::vector<std::string> all = bsdfs_.warnings();
+  const auto& lights = lights_.lights().warnings;
+  all.insert(all.end(), lights.begin(), lights.end());
+  return all;
+}
+
 dvec3 DirectLighting::emitted(const Seen& seen, const Ray& ray) const {
   const int light = lights_.of_primitive(seen.primitive);
   return light < 0 ? dvec3(0) : lights_.meet(light, seen.primitive, ray, seen.t).radiance;

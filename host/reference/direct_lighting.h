@@ -42,6 +42,9 @@ class DirectLighting {
         bsdfs_(scene),
         lights_(scene, geometry.primitives) {}
 
+  /// What of materials and lights is only approximated.
+  std::vector<std::string> warnings() const;
+
   struct Estimate {
     glm::dvec3 radiance{0};
     std::uint64_t rays = 0;  ///< shadow rays and BSDF rays

@@ -108,6 +108,10 @@ Reference::Reference(const Scene& scene) {
 
 Reference::~Reference() = default;
 
+std::vector<std::string> Reference::warnings() const {
+  return state_->direct ? state_->direct->warnings() : std::vector<std::string>();
+}
+
 const Timings& Reference::setup() const {
   return state_->setup;
 }

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "scene/job.h"
 #include "scene/scene.h"
@@ -22,6 +24,8 @@ class Reference {
   RenderResult render(const DirectLightingJob& job,
                       const std::function<void(double)>& on_progress = {}) const;
   RenderResult render(const Job& job, const std::function<void(double)>& on_progress = {}) const;
+  /// What of the scene's materials and lights is only approximated; empty before the first direct job.
+  std::vector<std::string> warnings() const;
   const Timings& setup() const;
 
  private:

@@ -50,6 +50,9 @@ class LightReader {
     }
     for (const Shape& shape : scene_.hidden_shapes) add_shape(shape, true);
     for (const Entity& entity : scene_.lights) add_light(entity);
+    if (lights_.values.empty())
+      lights_.warnings.push_back(scene_.name +
+                                 ": the scene has no light, and direct lighting of it is black");
     return std::move(lights_);
   }
 

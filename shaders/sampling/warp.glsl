@@ -25,12 +25,24 @@ vec3 cosine_hemisphere(vec2 u) {
   return vec3(d, sqrt(max(0.0, 1.0 - dot(d, d))));
 }
 
-// x t + y b + z n with the frame of Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
-vec3 to_frame(vec3 v, vec3 n) {
+// The tangents of Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+void tangents(vec3 n, out vec3 t, out vec3 bt) {
   float s = n.z >= 0.0 ? 1.0 : -1.0;
   float a = -1.0 / (s + n.z);
   float b = n.x * n.y * a;
-  vec3 t = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
-  vec3 bt = vec3(b, s + n.y * n.y * a, -n.y);
+  t = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
+  bt = vec3(b, s + n.y * n.y * a, -n.y);
+}
+
+vec3 to_frame(vec3 v, vec3 n) {
+  vec3 t, bt;
+  tangents(n, t, bt);
   return v.x * t + v.y * bt + v.z * n;
+}
+
+// And back.
+vec3 from_frame(vec3 w, vec3 n) {
+  vec3 t, bt;
+  tangents(n, t, bt);
+  return vec3(dot(w, t), dot(w, bt), dot(w, n));
 }

@@ -31,13 +31,3 @@ Surface load_surface(uint place, vec3 eye, bool inside) {
   s.material = s.live ? s0.w : 0u;
   return s;
 }
-
-// Into the frame of to_frame().
-vec3 from_frame(vec3 w, vec3 n) {
-  float s = n.z >= 0.0 ? 1.0 : -1.0;
-  float a = -1.0 / (s + n.z);
-  float b = n.x * n.y * a;
-  vec3 t = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
-  vec3 bt = vec3(b, s + n.y * n.y * a, -n.y);
-  return vec3(dot(w, t), dot(w, bt), dot(w, n));
-}

@@ -57,6 +57,19 @@ TEST(Direct, WhatDoesNotGoTogetherIsSaid) {
   said("--integrator direct --sampler halotn", "there is no sampler \"halotn\"");
 }
 
+TEST(Direct, ASceneWithoutLightIsSaidOnBothSides) {
+  const Folder folder;
+  const std::string scene =
+      folder.write("dark.pbrt", "Camera \"perspective\"\nWorldBegin\nTranslate 0 0 4\nShape \"sphere\"\n");
+  for (const char* device : {"lavapipe", "reference"}) {
+    const Outcome dark =
+        run("render " + scene + " --integrator direct --samples 1 --width 8 --height 8 --device " + device +
+            " -o " + (folder / "a.exr"));
+    EXPECT_EQ(dark.exit_code, 0) << dark.err;
+    EXPECT_NE(dark.err.find("the scene has no light"), std::string::npos) << device << dark.err;
+  }
+}
+
 TEST(Direct, StudiesOfLightAndOfSplits) {
   const Folder folder;
   const std::string scene = lit_scene(folder);
