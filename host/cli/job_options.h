@@ -16,6 +16,10 @@ struct JobOptions {
   double radius = std::numeric_limits<double>::infinity();
   std::uint32_t samples = 16, seed = 1;
   bool no_partition = false;
+  std::string path_sampler, clamping = "compensate";  ///< igi; no sampler: that of the pixel
+  std::uint32_t paths = 128, sets = 4, gather = 4, block = 1;
+  double limit = 0;
+  bool indirect = false;
 
   void add_to(CLI::App& verb);
   /// Checked: InputError for what does not go together.
@@ -25,6 +29,12 @@ struct JobOptions {
   /// Rays of a kind a pixel.
   std::uint32_t samples_a_pixel() const;
   int channels() const { return integrator == "ao" ? 1 : 3; }
+
+ private:
+  void add_global_illumination(CLI::App& verb);
+  void check() const;
+  DirectLightingJob direct_job() const;
+  GlobalIlluminationJob global_illumination_job() const;
 };
 
 /// As EXR attributes, and as fields of a report.

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <thread>
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "reference/direct_lighting.h"
 #include "reference/hemisphere.h"
@@ -152,6 +153,24 @@ RenderResult Reference::render(const DirectLightingJob& job,
     return estimate.rays;
   });
   return result;
+}
+
+RenderResult Reference::render(const GlobalIlluminationJob& job,
+                               const std::function<void(double)>& on_progress) const {
+  return render(job, trace_virtual_lights(job), on_progress);
+}
+
+RenderResult Reference::render(const GlobalIlluminationJob&, const VirtualLights&,
+                               const std::function<void(double)>&) const {
+  throw Failure("instant global illumination is not there yet");
+}
+
+RenderResult Reference::render(const PathTracingJob&, const std::function<void(double)>&) const {
+  throw Failure("path tracing is not there yet");
+}
+
+VirtualLights Reference::trace_virtual_lights(const GlobalIlluminationJob&) const {
+  throw Failure("light paths are not there yet");
 }
 
 RenderResult Reference::render(const Job& job, const std::function<void(double)>& on_progress) const {

@@ -18,8 +18,8 @@ Features needed_features(const Scene& scene, const Job* job, const std::string& 
                            [&](const Instance& i) { return has_quadric(scene.objects[i.object].shapes); });
   f.two_level = wants_two_levels(scene, instancing);
   if (!job) return f;
-  f.jittered = std::visit([](const auto& j) { return j.position == PixelPosition::jittered; }, *job);
-  f.shading = std::holds_alternative<DirectLightingJob>(*job);
+  f.jittered = position_of(*job) == PixelPosition::jittered;
+  f.shading = needs_shading(*job);
   return f;
 }
 
@@ -27,8 +27,23 @@ Features all_features(const Scene&, const std::string&) {
   return {true, true, true, true};
 }
 
+namespace {
+
+/// Shadow rays and the like a pixel, about.
+double rays_a_pixel(const Job& job) {
+  if (const auto* occlusion = std::get_if<AmbientOcclusionJob>(&job)) return occlusion->samples;
+  if (const auto* direct = std::get_if<DirectLightingJob>(&job)) return 2.0 * direct->samples();
+  if (const auto* igi = std::get_if<GlobalIlluminationJob>(&job)) {
+    constexpr double kHitsAPath = 2.5;
+    return 2.0 * igi->direct.samples() + kHitsAPath * igi->paths * igi->sets_a_pixel();
+  }
+  return std::get<PathTracingJob>(job).samples;
+}
+
+}  // namespace
+
 ReadOptions needed_reading(const Job& job, bool keep_everything) {
-  const bool all = keep_everything || std::holds_alternative<DirectLightingJob>(job);
+  const bool all = keep_everything || needs_shading(job);
   return {all, all, all};
 }
 
@@ -43,13 +58,7 @@ bool wants_two_levels(const Scene& scene, const std::string& instancing) {
 bool wants_best_tree(const Scene& scene, bool keep_instances, const Job* job, const std::string& tree) {
   if (tree != "auto" || !job) return tree != "fast";
   constexpr double kRaysATriangle = 60;
-  double samples = 0;
-  if (const auto* direct = std::get_if<DirectLightingJob>(job)) {
-    samples = 2.0 * direct->samples();  // a light's and the BSDF's
-  } else {
-    samples = std::get<AmbientOcclusionJob>(*job).samples;
-  }
-  const double rays = double(scene.film.width) * scene.film.height * samples;
+  const double rays = double(scene.film.width) * scene.film.height * rays_a_pixel(*job);
   const std::uint64_t triangles = keep_instances ? scene.unique_triangles() : scene.instanced_triangles();
   return rays >= kRaysATriangle * static_cast<double>(triangles);
 }

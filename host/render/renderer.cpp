@@ -29,13 +29,18 @@ RenderResult Renderer::render_rows(const Job& job, int first_row, int rows,
   RenderResult result;
   if (const auto* direct = std::get_if<DirectLightingJob>(&job)) {
     result = render_direct_lighting(*state_, *direct, first_row, rows, on_progress);
+  } else if (const auto* occlusion = std::get_if<AmbientOcclusionJob>(&job)) {
+    result = render_ambient_occlusion(*state_, *occlusion, first_row, rows, on_progress);
   } else {
-    result =
-        render_ambient_occlusion(*state_, std::get<AmbientOcclusionJob>(job), first_row, rows, on_progress);
+    throw InputError("path tracing is for the reference alone: add --device reference");
   }
   const int messages = state_->context->instance.message_count();
   if (messages > 0) throw Failure(fmt::format("the validation layer gave {} messages (above)", messages));
   return result;
+}
+
+VirtualLights Renderer::virtual_lights(const GlobalIlluminationJob&) {
+  throw Failure("light paths are not there yet");
 }
 
 std::vector<FixedPoint> Renderer::sample_points(const Sampler& sampler, std::uint32_t pixels,

@@ -9,6 +9,7 @@
 #include "sampling/sampler.h"
 #include "scene/job.h"
 #include "scene/scene.h"
+#include "shading/virtual_light.h"
 
 namespace capcon {
 
@@ -31,6 +32,9 @@ class Renderer {
   /// written as they come. Any number of rows; the device holds at most 2^21 pixels at a time.
   RenderResult render_rows(const Job& job, int first_row, int rows,
                            const std::function<void(double)>& on_progress = {});
+
+  /// The VPLs that render() makes for this job, without rendering. Primitives are the device's ids.
+  VirtualLights virtual_lights(const GlobalIlluminationJob& job);
 
   /// The device's own points of `sampler` for pixels 0 ... pixels - 1, `sampler.count()` each: for tests
   /// against the host's.

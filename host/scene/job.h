@@ -19,7 +19,8 @@ enum class PixelPosition : std::uint8_t {
 };
 
 /// One ambient-occlusion render, a plain value: the text's integral
-/// A(x, n, r) = 1/pi integral over the hemisphere of V(x, w, r) |cos theta| dw, cosine-weighted by the concentric map.
+/// A(x, n, r) = 1/pi integral over the hemisphere of V(x, w, r) |cos theta| dw, cosine-weighted by the
+/// concentric map.
 struct AmbientOcclusionJob {
   double radius = std::numeric_limits<double>::infinity();  ///< r > 0: occluders farther away do not count
   std::string sampler = "capcon";
@@ -28,13 +29,15 @@ struct AmbientOcclusionJob {
   PixelPosition position = PixelPosition::centre;
 };
 
-/// How a pixel weighs what lies around its centre; image samples are placed in proportion (no weights, no sharing).
+/// How a pixel weighs what lies around its centre; image samples are placed in proportion (no weights, no
+/// sharing).
 enum class PixelFilter : std::uint8_t {
   box,      ///< the pixel's own square
   gaussian  ///< pbrt-v4's: exp(-x^2 / (2 0.5^2)) less its value at 1.5, a radius of 1.5 pixels, in x and y
 };
 
-/// How light and BSDF samples are combined (Veach and Guibas, "Optimally Combining Sampling Techniques", 1995).
+/// How light and BSDF samples are combined (Veach and Guibas, "Optimally Combining Sampling Techniques",
+/// 1995).
 enum class Strategy : std::uint8_t {
   power,    ///< p^2 / (p^2 + q^2)
   balance,  ///< p / (p + q)
@@ -42,8 +45,9 @@ enum class Strategy : std::uint8_t {
   bsdf      ///< BSDF samples alone: point and distant lights give nothing
 };
 
-/// One direct-lighting render, a plain value: what a surface emits and reflects of the light that comes straight from
-/// the lights. Each image sample has `integrator_samples` points on every light and as many for the BSDF.
+/// One direct-lighting render, a plain value: what a surface emits and reflects of the light that comes
+/// straight from the lights. Each image sample has `integrator_samples` points on every light and as many for
+/// the BSDF.
 struct DirectLightingJob {
   std::string sampler = "capcon";
   std::uint32_t image_samples = 1;        ///< P >= 1
@@ -58,11 +62,53 @@ struct DirectLightingJob {
   std::uint32_t samples() const { return image_samples * integrator_samples; }
 };
 
-/// Any render.
-using Job = std::variant<AmbientOcclusionJob, DirectLightingJob>;
+/// What becomes of the geometry term G of a point and a virtual light, which grows without limit in corners.
+enum class Clamping : std::uint8_t {
+  none,       ///< as it is: unbiased, with bright spots
+  clamp,      ///< at most the limit: too dark in corners
+  compensate  ///< at most the limit, and what that leaves out by rays of their own: unbiased
+};
 
-/// Seconds by stage (read build upload compile points primary occlusion resolve write ...): wall time, and on a Vulkan
-/// device the time between its own timestamps.
+/// One instant-global-illumination render, a plain value (docs/igi.md): direct lighting, and light that comes
+/// by at least one surface from virtual point lights at the hits of light paths.
+struct GlobalIlluminationJob {
+  DirectLightingJob direct;        ///< all that happens in the pixel, and the seed of everything
+  std::string sampler = "capcon";  ///< of light paths
+  std::uint32_t paths = 128;       ///< N, light paths a set
+  std::uint32_t sets = 4;          ///< S; a pixel uses all of them, or with blocks S / block^2
+  /// Whether the sets are parts of one set of N S points; else each is a set of its own.
+  bool partition = true;
+  Clamping clamping = Clamping::compensate;
+  double limit = 0;            ///< of G, in 1 / square scene unit; 0: default_geometry_limit() of the scene
+  std::uint32_t gather = 4;    ///< compensation rays for each set that an image sample uses, >= 1
+  std::uint32_t block = 1;     ///< interleaved sampling: pixels of block x block have sets of their own
+  bool only_indirect = false;  ///< leave out what comes straight from lights
+
+  /// Sets that a pixel uses.
+  std::uint32_t sets_a_pixel() const { return sets / (block * block); }
+};
+
+/// One render by unidirectional path tracing with next-event estimation, with independent random numbers:
+/// what others are checked with. The reference alone knows it.
+struct PathTracingJob {
+  std::uint32_t samples = 64;  ///< paths a pixel, >= 1
+  std::uint32_t seed = 1;
+  PixelPosition position = PixelPosition::centre;  ///< `jittered`: evenly in the pixel
+  bool only_indirect = false;                      ///< leave out what comes straight from lights
+};
+
+/// Any render.
+using Job = std::variant<AmbientOcclusionJob, DirectLightingJob, GlobalIlluminationJob, PathTracingJob>;
+
+/// Where the image samples of a job lie.
+PixelPosition position_of(const Job& job);
+/// InputError where its numbers make no sense together.
+void check_job(const GlobalIlluminationJob& job);
+/// Whether it needs materials and lights.
+bool needs_shading(const Job& job);
+
+/// Seconds by stage (read build upload compile points primary occlusion resolve write ...): wall time, and on
+/// a Vulkan device the time between its own timestamps.
 struct Timings {
   std::map<std::string, double> wall;
   std::map<std::string, double> device;
@@ -72,11 +118,12 @@ nlohmann::json to_json(const Timings& timings);
 
 /// What a render hands back.
 struct RenderResult {
-  /// Ambient occlusion: one channel in [0, 1], 0 where no surface is seen. Direct lighting: radiance, linear sRGB.
+  /// Ambient occlusion: one channel in [0, 1], 0 where no surface is seen. Else radiance, linear sRGB.
   Image image;
   Timings timings;
-  std::uint64_t rays = 0;  ///< occlusion or shadow rays traced
-  std::string device;      ///< the device's own name, or "reference"
+  std::uint64_t rays = 0;            ///< occlusion or shadow rays traced
+  std::uint64_t virtual_lights = 0;  ///< of instant global illumination
+  std::string device;                ///< the device's own name, or "reference"
   /// When the first kernel that traces was handed to the device; the clock's zero where there is none.
   std::chrono::steady_clock::time_point first_dispatch{};
 };
