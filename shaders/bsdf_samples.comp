@@ -68,6 +68,7 @@ Met surface_light(Ray ray, Hit hit) {
 void main() {
   Job job = this_job();
   Surface s = load_surface(job.pixel - push.band, push.eye.xyz, job.live);
+  job = addressed(job, s);
   Bsdf bsdf = load_bsdf(s.material, s.uv, from_frame(s.wo, s.ns));
   vec2 u = unit_floats(bsdf_point(job));
   float choice = has(kMicrofacets) ? choice_of(job) : 0.0;

@@ -41,6 +41,13 @@ CAPCON_CONST kPairIntegrand = 0u;  // ambient occlusion; direct lighting's BSDF 
 CAPCON_CONST kPairImage = 1u;      // the place in the pixel
 CAPCON_CONST kPairComponent = 2u;  // which component of a BSDF is sampled (sampling/choice.h)
 CAPCON_CONST kPairLights = 3u;     // + j: light j (Y_j)
+// Of light paths (docs/igi.md), with the bounce in place of a pixel.
+CAPCON_CONST kPairOrigin = 0u;     // bounce 0
+CAPCON_CONST kPairEmission = 1u;   // bounce 0: direction
+CAPCON_CONST kPairGoingOn = 1u;    // later bounces; directions: kPairIntegrand
+// Of compensation rays from surfaces that are no pixel's.
+CAPCON_CONST kPairOnwards = 1u;    // direction; its component: y of kPairComponent
+CAPCON_CONST kPairEnd = 65535u;    // whether it goes on
 
 // Specialisation constants.
 CAPCON_CONST kSpecSampler = 0u;      // a sampler id
@@ -59,6 +66,7 @@ CAPCON_CONST kSpecStrategy = 12u;    // kStrategy...
 CAPCON_CONST kSpecDetailNormals = 13u;  // 1: details hold the vertices' normals
 CAPCON_CONST kSpecDetailUvs = 14u;   // 1: details hold the vertices' uvs
 CAPCON_CONST kSpecFilter = 15u;      // 1: image samples are placed by the filter's table, 0: evenly in the pixel
+CAPCON_CONST kSpecReceivers = 16u;   // 1: what shades are surfaces that rays met, 0: those that pixels see
 
 // Bindings of every kernel; those that a kernel does not name are left out of its layout.
 CAPCON_CONST kBindNodes = 0u;       // data texels: four a BVH node
@@ -81,7 +89,11 @@ CAPCON_CONST kBindEnvironment = 16u;  // data texels: environment maps with thei
 CAPCON_CONST kBindSamples = 17u;    // what each sample of a batch brings, one texel (data texels where read, storage where written)
 CAPCON_CONST kBindSums = 18u;       // radiance of each pixel, storage: two texels, the sum and what rounding took from it
 CAPCON_CONST kBindFilter = 19u;     // data texels: the filter's quantiles (render/filter_table.h)
-CAPCON_CONST kBindCount = 20u;
+CAPCON_CONST kBindVirtualLights = 20u;  // data texels: five a virtual light (shading/virtual_lights.glsl)
+CAPCON_CONST kBindPaths = 21u;      // a light path's ray, storage: three texels
+CAPCON_CONST kBindPathHits = 22u;   // where light paths hit, storage: five texels, as a virtual light has
+CAPCON_CONST kBindFound = 23u;      // surfaces that compensation rays met, storage: six texels (compensation.comp)
+CAPCON_CONST kBindCount = 24u;
 
 // Ids in a primitive's first texel (word 3): triangles count from 0, quadrics carry this bit and their index.
 CAPCON_CONST kQuadricBit = 0x80000000u;
@@ -190,7 +202,8 @@ struct DirectConstants {
   uint lights;        // how many there are
   uint flags;         // kDirect...
   float weight;       // light_samples: of each sample; above 1 where one stands for many (point and distant lights)
-  uint pad0, pad1;
+  uint level;         // of surfaces that rays met: how many such rays it took
+  uint pad0;
 };
 CAPCON_CONST kDirectFirst = 1u;     // the samples' radiance is written, not added to
 CAPCON_CONST kDirectSeparate = 2u;  // each part is a set of its own, with dimension numbers of its own
@@ -202,6 +215,8 @@ struct ResolveConstants {
   uint pixel_count;
   uint samples;       // of each pixel in this batch
   uint band;
+  float weight;       // of each
+  uint pad0, pad1, pad2;
 };
 
 // emission.comp: adds what pixels see of lights themselves.
@@ -212,6 +227,56 @@ struct EmissionConstants {
   uint light;         // the first environment
   uint lights;
   float weight;       // of this image sample
+  uint pad0, pad1;
+};
+
+// emit_paths.comp and trace_paths.comp.
+struct PathConstants {
+  TreeConstants tree;
+  uvec4 words;        // SamplerTables::constants
+  uvec4 split;        // sets, paths of a set, and their strides
+  vec4 bounds;        // the scene's bounding sphere, a little larger; w: its radius
+  uint seed;
+  uint count;         // paths in all
+  uint bounce;
+  uint flags;         // kDirectSeparate
+  uint lights;
+  uint pad0, pad1, pad2;
+};
+
+// gather.comp
+struct GatherConstants {
+  TreeConstants tree;
+  vec4 eye;           // w: the limit of the geometry term
+  uint first_pixel;
+  uint pixel_count;   // of the piece whose samples are written
+  uint band;
+  uint lanes;         // lanes a virtual light, a multiple of kGroupSize
+  uint first;         // virtual lights first ... first + count - 1
+  uint count;
+  uint columns;       // samples of a pixel in this batch; those from `count` on are 0
+  uint group_stride;
+  uint block;         // above 1: only pixels (residue_x + block i, row + block j), `across` in a row
+  uint residue_x;
+  uint row;
+  uint across;
+  uint width;
+  uint pad0, pad1, pad2;
+};
+
+// compensation.comp
+struct CompensationConstants {
+  TreeConstants tree;
+  uvec4 words;        // SamplerTables::constants
+  vec4 eye;           // w: the seed's bits
+  uint first_pixel;
+  uint pixel_count;
+  uint band;
+  uint part, parts;   // of the pixel's set
+  uint rays;          // of each pixel and part
+  uint level;         // 0: from what pixels see
+  float limit;
+  uint part_stride, ray_stride;
   uint pad0, pad1;
 };
 

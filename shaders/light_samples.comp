@@ -11,6 +11,7 @@ layout(constant_id = kSpecLight) const uint kLight = kLightDisk;
 void main() {
   Job job = this_job();
   Surface s = load_surface(job.pixel - push.band, push.eye.xyz, job.live);
+  job = addressed(job, s);
   Light light = load_light(push.light);
   bool disk = kLight == kLightDisk || kLight == kLightConstant;
   bool sphere = kLight == kLightSphere;

@@ -19,7 +19,7 @@ void main() {
   precise vec4 lost = live ? sums[place * 2u + 1u] : vec4(0.0);
   uint first = (live ? local : 0u) * push.samples;
   for (uint k = 0u; k < push.samples; ++k) {
-    precise vec4 term = uintBitsToFloat(FETCH(sample_texels, first + k)) - lost;
+    precise vec4 term = uintBitsToFloat(FETCH(sample_texels, first + k)) * push.weight - lost;
     precise vec4 next = sum + term;
     lost = (next - sum) - term;
     sum = next;

@@ -13,6 +13,9 @@ namespace capcon {
 RenderResult render_direct_lighting(RendererState& state, const DirectLightingJob& job, int first_row,
                                     int rows, const std::function<void(double)>& on_progress);
 
+/// InputError where its numbers make no sense.
+void check_direct_job(const DirectLightingJob& job);
+
 /// The specialisations of its kernels, to be compiled while the tree is built.
 std::vector<KernelVariant> direct_lighting_kernels(const RendererState& state, const DirectLightingJob& job);
 

@@ -8,8 +8,14 @@
 #include "layout.h"
 #include "spirv/bsdf_samples_storage.h"
 #include "spirv/bsdf_samples_texel.h"
+#include "spirv/compensation_storage.h"
+#include "spirv/compensation_texel.h"
 #include "spirv/emission_storage.h"
 #include "spirv/emission_texel.h"
+#include "spirv/emit_paths_storage.h"
+#include "spirv/emit_paths_texel.h"
+#include "spirv/gather_storage.h"
+#include "spirv/gather_texel.h"
 #include "spirv/light_samples_storage.h"
 #include "spirv/light_samples_texel.h"
 #include "spirv/occlusion_storage.h"
@@ -22,6 +28,8 @@
 #include "spirv/rays_texel.h"
 #include "spirv/resolve_storage.h"
 #include "spirv/resolve_texel.h"
+#include "spirv/trace_paths_storage.h"
+#include "spirv/trace_paths_texel.h"
 
 namespace capcon {
 namespace {
@@ -83,6 +91,33 @@ const std::map<std::string, Description>& descriptions() {
         {kBindSurfaces, kBindShading, kBindLights, kBindEnvironment, kBindQuadrics},
         {kBindSums},
         sizeof(EmissionConstants)}},
+      {"emit_paths",
+       {k_emit_paths_texel_spirv,
+        k_emit_paths_storage_spirv,
+        {kBindSampler, kBindLights, kBindEnvironment},
+        {kBindPaths},
+        sizeof(PathConstants)}},
+      {"trace_paths",
+       {k_trace_paths_texel_spirv,
+        k_trace_paths_storage_spirv,
+        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindInstances, kBindSampler, kBindDetails,
+         kBindMaterials, kBindTextures},
+        {kBindPaths, kBindPathHits},
+        sizeof(PathConstants)}},
+      {"gather",
+       {k_gather_texel_spirv,
+        k_gather_storage_spirv,
+        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindInstances, kBindSurfaces, kBindShading,
+         kBindMaterials, kBindTextures, kBindVirtualLights},
+        {kBindSamples},
+        sizeof(GatherConstants)}},
+      {"compensation",
+       {k_compensation_texel_spirv,
+        k_compensation_storage_spirv,
+        {kBindNodes, kBindPrimitives, kBindQuadrics, kBindInstances, kBindSampler, kBindSurfaces,
+         kBindShading, kBindDetails, kBindMaterials, kBindTextures},
+        {kBindFound},
+        sizeof(CompensationConstants)}},
       {"rays",
        {k_rays_texel_spirv,
         k_rays_storage_spirv,

@@ -6,6 +6,7 @@
 #include "layout.h"
 #include "render/geometry_tree.h"
 #include "render/texels.h"
+#include "shading/virtual_light.h"
 
 namespace capcon {
 namespace {
@@ -114,6 +115,9 @@ LightData pack_lights(const Scene& scene, const Lights& lights) {
     maps.push_back(append_map(scene.images[e.image].image, e.table, data.environments));
     data.octahedral = data.octahedral || e.table.map == SphereMap::octahedral;
   }
+  std::vector<glm::dvec3> powers;
+  for (const Light& l : lights.values) powers.push_back(l.power);
+  const std::vector<std::uint32_t> thresholds = power_thresholds(powers);
   const std::size_t first_triangle = kTexelsALight * lights.values.size();
   for (std::size_t j = 0; j < lights.values.size(); ++j) {
     const Light& l = lights.values[j];
@@ -135,7 +139,7 @@ LightData pack_lights(const Scene& scene, const Lights& lights) {
     data.lights.push_back(make_texel(environment ? rows[2] : l.axis_v, static_cast<std::uint32_t>(place)));
     data.lights.push_back(make_texel(l.normal, l.triangle_count));
     const bool flat = kind == layout::kLightRectangle;
-    data.lights.push_back(make_texel(flat ? dual(l.axis_u, l.axis_v) : glm::dvec3(0), 0u));
+    data.lights.push_back(make_texel(flat ? dual(l.axis_u, l.axis_v) : glm::dvec3(0), thresholds[j]));
     data.lights.push_back(make_texel(flat ? dual(l.axis_v, l.axis_u) : glm::dvec3(0), 0u));
   }
   append_triangles(lights, data.lights);

@@ -7,6 +7,8 @@
 #include "base/error.h"
 #include "render/ambient_occlusion.h"
 #include "render/direct_lighting.h"
+#include "render/global_illumination.h"
+#include "render/light_paths.h"
 #include "render/renderer_state.h"
 #include "render/sample_points.h"
 
@@ -31,6 +33,8 @@ RenderResult Renderer::render_rows(const Job& job, int first_row, int rows,
     result = render_direct_lighting(*state_, *direct, first_row, rows, on_progress);
   } else if (const auto* occlusion = std::get_if<AmbientOcclusionJob>(&job)) {
     result = render_ambient_occlusion(*state_, *occlusion, first_row, rows, on_progress);
+  } else if (const auto* igi = std::get_if<GlobalIlluminationJob>(&job)) {
+    result = render_global_illumination(*state_, *igi, first_row, rows, on_progress);
   } else {
     throw InputError("path tracing is for the reference alone: add --device reference");
   }
@@ -39,8 +43,11 @@ RenderResult Renderer::render_rows(const Job& job, int first_row, int rows,
   return result;
 }
 
-VirtualLights Renderer::virtual_lights(const GlobalIlluminationJob&) {
-  throw Failure("light paths are not there yet");
+VirtualLights Renderer::virtual_lights(const GlobalIlluminationJob& job) {
+  check_job(job);
+  if (!state_->features.shading) throw Failure("this renderer was made for ambient occlusion alone");
+  Timings timings;
+  return unpack(trace_light_paths(*state_, job, timings), state_->default_material);
 }
 
 std::vector<FixedPoint> Renderer::sample_points(const Sampler& sampler, std::uint32_t pixels,

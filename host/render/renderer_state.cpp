@@ -11,6 +11,7 @@
 #include "render/direct_lighting.h"
 #include "render/filter_table.h"
 #include "render/geometry.h"
+#include "render/global_illumination.h"
 
 namespace capcon {
 namespace {
@@ -70,6 +71,9 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
   if (features.shading) {
     const ShadingData data = make_shading_data(scene, options.keep_everything);
     details = data.details;
+    default_material = details.default_material;
+    bounds = scene_bounds(scene);
+    geometry_limit = default_geometry_limit(scene);
     upload_shading(data, options.keep_everything);
     setup.wall["shading"] = seconds_since(start);
     start = Clock::now();
@@ -120,7 +124,9 @@ void RendererState::upload(const Geometry& geometry) {
   sampler_table = gpu::Buffer(device, 16, gpu::Memory::device);
   image_table = gpu::Buffer(device, 16, gpu::Memory::device);
   order = gpu::Buffer(device, 16, gpu::Memory::device);
-  for (gpu::Buffer* late : {&samples, &sums, &filter}) *late = gpu::Buffer(device, 16, gpu::Memory::device);
+  for (gpu::Buffer* late : {&samples, &sums, &filter, &gather_table, &virtual_lights, &paths, &path_hits,
+                            &found, &receivers, &receiver_shading, &receiver_sums})
+    *late = gpu::Buffer(device, 16, gpu::Memory::device);
   if (!features.shading) {
     for (gpu::Buffer* none : {&materials, &textures, &lights, &environments})
       *none = gpu::Buffer(device, 16, gpu::Memory::device);
@@ -148,22 +154,31 @@ void RendererState::upload_shading(const ShadingData& data, bool everything) {
 }
 
 void RendererState::compile_for(const Job& job) {
-  const auto variants = std::holds_alternative<DirectLightingJob>(job)
-                            ? direct_lighting_kernels(*this, std::get<DirectLightingJob>(job))
-                            : ambient_occlusion_kernels(*this, std::get<AmbientOcclusionJob>(job));
+  std::vector<KernelVariant> variants;
+  if (const auto* occlusion = std::get_if<AmbientOcclusionJob>(&job))
+    variants = ambient_occlusion_kernels(*this, *occlusion);
+  if (const auto* direct = std::get_if<DirectLightingJob>(&job))
+    variants = direct_lighting_kernels(*this, *direct);
+  if (const auto* igi = std::get_if<GlobalIlluminationJob>(&job))
+    variants = global_illumination_kernels(*this, *igi);
   for (const KernelVariant& variant : variants) kernels.prepare(variant.name, constants(variant));
 }
 
-void RendererState::bind_all(gpu::Kernel& kernel, bool primary) const {
+void RendererState::bind_all(gpu::Kernel& kernel, const KernelVariant& variant) const {
+  const auto constant = variant.constants.find(layout::kSpecReceivers);
+  const bool of_receivers = constant != variant.constants.end() && constant->second != 0;
+  const gpu::Buffer& table = variant.name == "primary"        ? image_table
+                             : variant.name == "compensation" ? gather_table
+                                                              : sampler_table;
   kernel.bind(layout::kBindNodes, nodes);
   kernel.bind(layout::kBindPrimitives, primitives);
   kernel.bind(layout::kBindQuadrics, quadrics);
   kernel.bind(layout::kBindInstances, instances);
   kernel.bind(layout::kBindDetails, details);
-  kernel.bind(layout::kBindSampler, primary ? image_table : sampler_table);
+  kernel.bind(layout::kBindSampler, table);
   kernel.bind(layout::kBindOrder, order);
-  kernel.bind(layout::kBindSurfaces, surfaces);
-  kernel.bind(layout::kBindShading, shading);
+  kernel.bind(layout::kBindSurfaces, of_receivers ? receivers : surfaces);
+  kernel.bind(layout::kBindShading, of_receivers ? receiver_shading : shading);
   kernel.bind(layout::kBindCounts, counts);
   kernel.bind(layout::kBindPoints, counts);  // until its reader binds its own
   kernel.bind(layout::kBindMaterials, materials);
@@ -171,15 +186,23 @@ void RendererState::bind_all(gpu::Kernel& kernel, bool primary) const {
   kernel.bind(layout::kBindLights, lights);
   kernel.bind(layout::kBindEnvironment, environments);
   kernel.bind(layout::kBindSamples, samples);
-  kernel.bind(layout::kBindSums, sums);
+  kernel.bind(layout::kBindSums, of_receivers ? receiver_sums : sums);
   kernel.bind(layout::kBindFilter, filter);
+  kernel.bind(layout::kBindVirtualLights, virtual_lights);
+  kernel.bind(layout::kBindPaths, paths);
+  kernel.bind(layout::kBindPathHits, path_hits);
+  kernel.bind(layout::kBindFound, found);
+}
+
+void RendererState::bind_again() const {
+  for (const Bound& b : bound_) bind_all(*b.kernel, b.variant);
 }
 
 void RendererState::grow(gpu::Buffer& buffer, const std::vector<glm::uvec4>& texels) {
   const std::size_t bytes = 16 * texels.size();
   if (bytes > buffer.bytes()) {
     buffer = gpu::Buffer(device, bytes, gpu::Memory::device);
-    for (const Bound& b : bound_) bind_all(*b.kernel, b.primary);
+    bind_again();
   }
   buffer.upload(texels.data(), bytes);
 }
@@ -198,7 +221,25 @@ void RendererState::need_samples(std::size_t lanes) {
   samples = gpu::Buffer(device, 16 * lanes, gpu::Memory::device);
   sums = gpu::Buffer(device, 32 * band_pixels, gpu::Memory::device);
   filter = gpu::make_buffer<glm::uvec4>(device, gaussian_filter_table());
-  for (const Bound& b : bound_) bind_all(*b.kernel, b.primary);
+  bind_again();
+}
+
+void RendererState::set_gather_sampler(const SamplerTables& tables) {
+  grow(gather_table, tables.texels);
+}
+
+void RendererState::need_paths(std::size_t path_count, std::size_t rays) {
+  const auto need = [&](gpu::Buffer& buffer, std::size_t bytes) {
+    if (buffer.bytes() >= bytes) return;
+    buffer = gpu::Buffer(device, bytes, gpu::Memory::device);
+  };
+  need(paths, 48 * path_count);
+  need(path_hits, 80 * path_count);
+  need(found, 96 * rays);
+  need(receivers, 48 * rays);
+  need(receiver_shading, 32 * rays);
+  need(receiver_sums, 32 * rays);
+  bind_again();
 }
 
 Constants RendererState::constants(const KernelVariant& variant) const {
@@ -218,27 +259,30 @@ KernelVariant RendererState::primary_variant(bool jittered, std::uint32_t sample
 
 gpu::Kernel& RendererState::kernel(const KernelVariant& variant) {
   return kernels.get(variant.name, constants(variant), [&](gpu::Kernel& kernel) {
-    const bool primary = variant.name == "primary";
-    bind_all(kernel, primary);
-    bound_.push_back({&kernel, primary});
+    bind_all(kernel, variant);
+    bound_.push_back({&kernel, variant});
   });
 }
 
 std::map<std::string, std::size_t> RendererState::buffer_bytes() const {
-  return {{"nodes", nodes.bytes()},
-          {"primitives", primitives.bytes()},
-          {"spheres and disks", quadrics.bytes()},
-          {"instances", instances.bytes()},
-          {"details", details.bytes()},
-          {"materials", materials.bytes()},
-          {"textures", textures.bytes()},
-          {"lights", lights.bytes()},
-          {"environments", environments.bytes()},
-          {"samples", samples.bytes() + sums.bytes()},
-          {"surfaces", surfaces.bytes()},
-          {"shading", shading.bytes()},
-          {"counts", counts.bytes()},
-          {"sampler", sampler_table.bytes()}};
+  return {
+      {"nodes", nodes.bytes()},
+      {"primitives", primitives.bytes()},
+      {"spheres and disks", quadrics.bytes()},
+      {"instances", instances.bytes()},
+      {"details", details.bytes()},
+      {"materials", materials.bytes()},
+      {"textures", textures.bytes()},
+      {"lights", lights.bytes()},
+      {"environments", environments.bytes()},
+      {"samples", samples.bytes() + sums.bytes()},
+      {"virtual lights", virtual_lights.bytes()},
+      {"light paths", paths.bytes() + path_hits.bytes()},
+      {"compensation", found.bytes() + receivers.bytes() + receiver_shading.bytes() + receiver_sums.bytes()},
+      {"surfaces", surfaces.bytes()},
+      {"shading", shading.bytes()},
+      {"counts", counts.bytes()},
+      {"sampler", sampler_table.bytes()}};
 }
 
 }  // namespace capcon

@@ -15,6 +15,7 @@
 #include "render/shading_data.h"
 #include "render/view.h"
 #include "sampling/sampler.h"
+#include "shading/scene_bounds.h"
 
 namespace capcon {
 
@@ -45,8 +46,15 @@ struct RendererState {
   std::size_t band_pixels = 0;  ///< pixels that surfaces and counts are kept for at a time
   gpu::Buffer nodes, primitives, quadrics, instances, details, surfaces, shading, counts, sampler_table,
       image_table, order, materials, textures, lights, environments, samples, sums, filter;
-  DeviceLights light_list;            ///< empty without Features::shading
-  std::vector<std::string> warnings;  ///< of materials and lights
+  /// Of instant global illumination; made when they are first needed. Receivers are surfaces that
+  /// compensation rays met.
+  gpu::Buffer gather_table, virtual_lights, paths, path_hits, found, receivers, receiver_shading,
+      receiver_sums;
+  DeviceLights light_list;             ///< empty without Features::shading
+  std::vector<std::string> warnings;   ///< of materials and lights
+  BoundingSphere bounds;               ///< of the scene; with Features::shading
+  double geometry_limit = 1;           ///< default_geometry_limit()
+  std::uint32_t default_material = 0;  ///< of shapes without one
   Timings setup;
 
   /// `first`: the job that will be rendered first, if it is known; its kernels are compiled while the tree is
@@ -55,12 +63,18 @@ struct RendererState {
                 const Job* first);
 
   /// Binds what a kernel names of the scene's buffers.
-  void bind_all(gpu::Kernel& kernel) const { bind_all(kernel, false); }
+  void bind_all(gpu::Kernel& kernel) const { bind_all(kernel, {}); }
   /// Puts a sampler's table, and the order in which its points are taken (empty: as they are), where kernels
   /// read it.
   void set_sampler(const SamplerTables& tables, const std::vector<glm::uvec4>& sample_order = {});
   /// The table of the sampler that places image samples, which the primary kernel reads.
   void set_image_sampler(const SamplerTables& tables);
+  /// The table of the sampler that compensation rays have.
+  void set_gather_sampler(const SamplerTables& tables);
+  /// Room for so many light paths, and for what a batch of compensation rays finds.
+  void need_paths(std::size_t paths, std::size_t compensation_rays);
+  /// Puts texels where kernels read them; the buffer grows as needed.
+  void put(gpu::Buffer& buffer, const std::vector<glm::uvec4>& texels) { grow(buffer, texels); }
   /// What a batch of direct lighting writes to; made when it is first needed.
   void need_samples(std::size_t lanes);
   /// The variant's constants and the scene's.
@@ -76,11 +90,12 @@ struct RendererState {
   void grow(gpu::Buffer& buffer, const std::vector<glm::uvec4>& texels);
   void upload(const struct Geometry& geometry);
   void upload_shading(const ShadingData& data, bool everything);
-  void bind_all(gpu::Kernel& kernel, bool primary) const;
+  void bind_all(gpu::Kernel& kernel, const KernelVariant& variant) const;
+  void bind_again() const;
 
   struct Bound {
     gpu::Kernel* kernel;
-    bool primary;
+    KernelVariant variant;
   };
   std::vector<Bound> bound_;  ///< all kernels there are: bound again when a buffer moves
 };

@@ -11,11 +11,9 @@ layout(push_constant, std430) uniform Push { DirectConstants push; };
 #include "shading/environment.glsl"
 #include "shading/lights.glsl"
 #include "shading/mis.glsl"
+#include "shading/visible_part.glsl"
 
 layout(set = 0, binding = kBindSamples, std430) buffer Samples { vec4 samples[]; };
-
-// Rays that end on a light stop short of it, so that what it is flush with does not hide it.
-const float kShort = 0.99999237060546875;  // 1 - 2^-17
 
 DATA_TEXELS(kBindOrder, order_texels);
 layout(constant_id = kSpecOrdered) const uint kOrdered = 0u;
@@ -45,6 +43,19 @@ Job this_job() {
 uint seed_of() { return floatBitsToUint(push.eye.w); }
 bool separate_sets() { return (push.flags & kDirectSeparate) != 0u; }
 
+// What a surface that a ray met is addressed by.
+Job addressed(Job job, Surface s) {
+  if (kReceivers != 0u) {
+    job.pixel = s.pixel;
+    job.index = s.index;
+    job.part = 0u;
+  }
+  return job;
+}
+
+// Such surfaces have independent points.
+uvec2 independent_point(Job job, uint dimension) { return sample_random(seed_of(), job.pixel, job.index, dimension + (push.level << 16u)); }
+
 uvec2 point_at(Job job, uint place, uint dimension, uint domain) {
   bool separate = separate_sets();
   uint count = separate ? push.split.y : push.split.x * push.split.y;
@@ -54,6 +65,7 @@ uvec2 point_at(Job job, uint place, uint dimension, uint domain) {
 // A point of a light. They are only added up: their order within a part is free, and that of the parts too, unless each part
 // has a place in the pixel of its own.
 uvec2 light_point(Job job, uint dimension, uint domain) {
+  if (kReceivers != 0u) return independent_point(job, dimension);
   uint place = job.index;
   bool waits = !separate_sets();
   uint part = job.part;
@@ -69,6 +81,7 @@ uvec2 light_point(Job job, uint dimension, uint domain) {
 
 // The BSDF's point, in the order of the component's choice.
 uvec2 bsdf_point(Job job) {
+  if (kReceivers != 0u) return independent_point(job, kPairIntegrand);
   bool separate = separate_sets();
   uint place = separate ? job.index : job.part * push.split.y + job.index;
   bool waits = separate && job.part > 0u && has(kMicrofacets);
@@ -81,6 +94,7 @@ uvec2 bsdf_point(Job job) {
 }
 
 float choice_of(Job job) {
+  if (kReceivers != 0u) return unit_floats(independent_point(job, kPairComponent)).x;
   uint bits = component_choice(seed_of(), job.pixel, job.part, job.index, push.split, separate_sets());
   return unit_floats(uvec2(bits)).x;
 }

@@ -1,7 +1,8 @@
 // Lights (docs/direct.md): eight texels each: kind, flags, first primitive and number of further ones; radiance and area; position
 // and radius; axis u and the hole's radius; axis v and the first triangle's place; normal and number of triangles; the dual vectors
 // of the axes. A triangle has three: its corners, with the cumulative area as 0.32 fixed point of the light's, and its number in the
-// mesh. Environments hold the rows of world-to-map instead of position and axes, and their map's place behind the third.
+// mesh. Environments hold the rows of world-to-map instead of position and axes, and their map's place behind the third. The fourth
+// word of a light's seventh texel is where its part of all power ends, as 0.32 fixed point (host/shading/virtual_light.h).
 DATA_TEXELS(kBindLights, light_texels);
 layout(constant_id = kSpecLightKinds) const uint kLightKinds = 0u;  // a bit a kind of the scene
 bool has_light(uint kind) { return (kLightKinds & (1u << kind)) != 0u; }
@@ -63,13 +64,21 @@ LightSample towards(Light l, vec3 from, vec3 point, vec3 normal, float area) {
   return s;
 }
 
-LightSample sample_disk(Light l, vec3 from, vec2 u) {
+vec3 point_of_disk(Light l, vec2 u) {
   vec2 d = concentric_disk(u);
   float r2 = dot(d, d);
   float h2 = l.inner * l.inner;
   d *= h2 > 0.0 ? sqrt(h2 / max(r2, 1e-30) + (1.0 - h2)) : 1.0;
   d = h2 > 0.0 && r2 == 0.0 ? vec2(l.inner, 0.0) : d;  // the centre has no direction
-  return towards(l, from, l.position + d.x * l.axis_u + d.y * l.axis_v, l.normal, l.area);
+  return l.position + d.x * l.axis_u + d.y * l.axis_v;
+}
+
+LightSample sample_disk(Light l, vec3 from, vec2 u) { return towards(l, from, point_of_disk(l, u), l.normal, l.area); }
+
+// A direction, uniform over the sphere.
+vec3 sphere_of_directions(vec2 u) {
+  float z = 1.0 - 2.0 * u.y;
+  return vec3(sqrt(max(0.0, 1.0 - z * z)) * cos_sin_turn(u.x), z);
 }
 
 LightSample sample_sphere(Light l, vec3 from, vec2 u) {
@@ -93,8 +102,7 @@ LightSample sample_sphere(Light l, vec3 from, vec2 u) {
   s.primitive = l.first_primitive;
   s.more_primitives = l.more_primitives;
   // From inside: any of its points.
-  float z = 1.0 - 2.0 * u.y;
-  vec3 n = vec3(sqrt(max(0.0, 1.0 - z * z)) * cos_sin_turn(u.x), z);
+  vec3 n = sphere_of_directions(u);
   LightSample within = towards(l, from, l.position + l.radius * n, n, l.area);
   within.radiance = shines(l, inward) ? l.radiance : vec3(0.0);
   s.w = outside ? s.w : within.w;
@@ -104,7 +112,13 @@ LightSample sample_sphere(Light l, vec3 from, vec2 u) {
   return s;
 }
 
-LightSample sample_triangles(Light l, vec3 from, uvec2 bits) {
+struct TrianglePoint {
+  vec3 at;
+  vec3 cross_product;  // of two edges: along the emitting side's normal, of any length
+  uint number;         // of the triangle in its mesh
+};
+
+TrianglePoint point_of_triangles(Light l, uvec2 bits) {
   // The first triangle whose cumulative area is above x of the whole.
   uint value = bits.x & 0xffffff00u;
   uint low = 0u, high = l.triangles - 1u;
@@ -123,13 +137,18 @@ LightSample sample_triangles(Light l, vec3 from, uvec2 bits) {
   float x = float(value - before) / float(max(t0.w - before, 1u)), y = unit_floats(bits).y;
   bool upper = y > x;
   vec2 p = upper ? vec2(0.5 * x, y - 0.5 * x) : vec2(x - 0.5 * y, 0.5 * y);
-  LightSample s = towards(l, from, a + p.x * (b - a) + p.y * (c - a), normalize(cross(b - a, c - a)), l.area);
+  return TrianglePoint(a + p.x * (b - a) + p.y * (c - a), cross(b - a, c - a), t1.w);
+}
+
+LightSample sample_triangles(Light l, vec3 from, uvec2 bits) {
+  TrianglePoint point = point_of_triangles(l, bits);
+  LightSample s = towards(l, from, point.at, normalize(point.cross_product), l.area);
   // An ellipsoid emits as triangles inside it: it does not hide those that show their outer side. What is hidden has no primitives.
   bool quadric = (l.first_primitive & kQuadricBit) != 0u;
-  float along = dot(s.w, cross(b - a, c - a));
+  float along = dot(s.w, point.cross_product);
   bool inner_side = (l.flags & kLightInward) != 0u ? along <= 0.0 : along >= 0.0;
   bool hidden = l.first_primitive == kNoPrimitive;
-  s.primitive = hidden || (quadric && inner_side) ? kNoPrimitive : l.first_primitive + t1.w;
+  s.primitive = hidden || (quadric && inner_side) ? kNoPrimitive : l.first_primitive + point.number;
   s.more_primitives = 0u;
   return s;
 }
