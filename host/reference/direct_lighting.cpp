@@ -2,10 +2,9 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
-#include "reference/hemisphere.h"
 #include "reference/pixel_filter.h"
+#include "reference/unit_point.h"
 #include "sampling/choice.h"
 
 namespace capcon::reference {
@@ -20,13 +19,8 @@ constexpr std::uint32_t kPixelPair = 1;
 constexpr std::uint32_t kLightPairs = 3;
 constexpr std::uint32_t kPairsOfAPart = 65536;
 
-constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 /// How much of the way to a light is looked at.
 constexpr double kWay = 1 - 0x1p-17;
-
-glm::dvec2 unit_point(FixedPoint point) {
-  return {static_cast<double>(point.x >> 8) / 16777216.0, static_cast<double>(point.y >> 8) / 16777216.0};
-}
 
 /// m(p, q) of what was sampled with density p and might have been with q.
 double mis_weight(Strategy strategy, double p, double q) {
@@ -68,22 +62,8 @@ double DirectPoints::choice(std::uint32_t pixel, std::uint32_t p, std::uint32_t 
   return unit_point({component_choice(job_.seed, pixel, p, i, split, !job_.partition), 0}).x;
 }
 
-/// What a viewer sees of a surface, ready for light.
-struct DirectLighting::Vertex {
-  const Seen& seen;
-  Bsdf bsdf;
-  Frame frame;  ///< of the shading normal
-  dvec3 out;    ///< to the viewer, in it
-
-  /// f |w . n_s|, 0 where w is not above both normals.
-  dvec3 reflect(const dvec3& direction, const dvec3& in) const {
-    if (!(dot(direction, seen.at.normal) > 0 && in.z > 0)) return dvec3(0);
-    return bsdf.evaluate(in, out) * in.z;
-  }
-};
-
 std::vector<std::string> DirectLighting::warnings() const {
-  std::vector<std::string> all = bsdfs_.warnings();
+  std::vector<std::string> all = vertices_.bsdfs().warnings();
   const auto& lights = lights_.lights().warnings;
   all.insert(all.end(), lights.begin(), lights.end());
   return all;
@@ -96,14 +76,14 @@ dvec3 DirectLighting::emitted(const Seen& seen, const Ray& ray) const {
 
 dvec3 DirectLighting::light_sample(const Vertex& vertex, int light, const glm::dvec2& point,
                                    Strategy strategy, std::uint64_t& rays) const {
-  const SurfacePoint& at = vertex.seen.at;
+  const SurfacePoint& at = vertex.at;
   const auto sample = lights_.sample(light, at.position, at.normal, point);
   if (!sample) return dvec3(0);
   const dvec3 in = vertex.frame.to_local(sample->direction);
   const dvec3 reflected = vertex.reflect(sample->direction, in);
   if (reflected == dvec3(0)) return dvec3(0);
   ++rays;
-  const Ignored ignored{vertex.seen.ignored, sample->first, sample->count};
+  const Ignored ignored{vertex.ignored, sample->first, sample->count};
   if (geometry_.tree.occluded({at.position, sample->direction}, sample->distance * kWay, ignored))
     return dvec3(0);
   double weight = 1;
@@ -114,20 +94,16 @@ dvec3 DirectLighting::light_sample(const Vertex& vertex, int light, const glm::d
 
 dvec3 DirectLighting::bsdf_sample(const Vertex& vertex, const glm::dvec2& point, double choice,
                                   Strategy strategy, std::uint64_t& rays) const {
-  const SurfacePoint& at = vertex.seen.at;
-  const std::optional<dvec3> in = vertex.bsdf.sample(vertex.out, point, choice);
-  if (!in) return dvec3(0);
-  const dvec3 direction = glm::normalize(vertex.frame.to_world(*in));
-  const double pdf = vertex.bsdf.pdf(*in, vertex.out);
-  const dvec3 reflected = vertex.reflect(direction, *in);
-  if (reflected == dvec3(0) || !(pdf > 0)) return dvec3(0);
+  const SurfacePoint& at = vertex.at;
+  const std::optional<Continuation> next = continue_from(vertex, point, choice);
+  if (!next) return dvec3(0);
   const auto weight = [&](double light_pdf) {
-    return combines(strategy) ? mis_weight(strategy, pdf, light_pdf) : 1;
+    return combines(strategy) ? mis_weight(strategy, next->pdf, light_pdf) : 1;
   };
   ++rays;
-  const Ray ray(at.position, direction);
+  const Ray ray(at.position, next->direction);
   dvec3 light(0);
-  if (const auto hit = geometry_.tree.closest(ray, {vertex.seen.ignored})) {
+  if (const auto hit = geometry_.tree.closest(ray, {vertex.ignored})) {
     const int index = lights_.of_primitive(hit->primitive);
     if (index < 0) return dvec3(0);
     const LightMet met = lights_.meet(index, hit->primitive, ray, hit->t);
@@ -135,11 +111,11 @@ dvec3 DirectLighting::bsdf_sample(const Vertex& vertex, const glm::dvec2& point,
   } else {
     for (int j = 0; j < lights_.count(); ++j) {
       if (lights_.lights().values[j].kind != LightKind::environment) continue;
-      const LightMet met = lights_.environment(j, at.normal, direction);
+      const LightMet met = lights_.environment(j, at.normal, next->direction);
       light += met.radiance * weight(met.pdf);
     }
   }
-  return reflected * light / pdf;
+  return next->reflected * light / next->pdf;
 }
 
 DirectLighting::Estimate DirectLighting::pixel(const DirectLightingJob& job, const DirectPoints& points,
@@ -156,13 +132,8 @@ DirectLighting::Estimate DirectLighting::pixel(const DirectLightingJob& job, con
       emission += lights_.background(ray.direction);
       continue;
     }
-    const dvec3 out = -ray.direction;
-    const ShadingPoint surface = surfaces_.at(seen->primitive, seen->at);
     emission += emitted(*seen, ray);
-    dvec3 normal = dot(surface.normal, seen->at.normal) < 0 ? -surface.normal : surface.normal;
-    if (!(dot(normal, out) > 0)) normal = seen->at.normal;
-    const Frame frame(normal);
-    const Vertex vertex{*seen, bsdfs_.at(surface.material, surface.uv), frame, frame.to_local(out)};
+    const Vertex vertex = vertices_.at(*seen, -ray.direction);
     for (int j = 0; j < lights_.count() && job.strategy != Strategy::bsdf; ++j) {
       const SampleDomain domain = lights_.domain(j, seen->at.position);
       for (std::uint32_t i = 0; i < job.integrator_samples; ++i) {

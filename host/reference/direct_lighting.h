@@ -3,10 +3,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "reference/bsdf.h"
 #include "reference/geometry.h"
 #include "reference/light_sampling.h"
-#include "reference/surfaces.h"
+#include "reference/vertex.h"
 #include "reference/view.h"
 #include "sampling/sampler.h"
 #include "scene/job.h"
@@ -37,10 +36,7 @@ class DirectLighting {
  public:
   /// Keeps references.
   DirectLighting(const Scene& scene, const Geometry& geometry)
-      : geometry_(geometry),
-        surfaces_(scene, geometry.primitives),
-        bsdfs_(scene),
-        lights_(scene, geometry.primitives) {}
+      : geometry_(geometry), vertices_(scene, geometry), lights_(scene, geometry.primitives) {}
 
   /// What of materials and lights is only approximated.
   std::vector<std::string> warnings() const;
@@ -53,18 +49,20 @@ class DirectLighting {
   Estimate pixel(const DirectLightingJob& job, const DirectPoints& points, const View& view, int width, int x,
                  int y) const;
 
- private:
-  struct Vertex;
-  /// The two lines of the estimate, for one integrator sample.
+  /// The two lines of the estimate, for one integrator sample; `rays` counts those traced.
   glm::dvec3 light_sample(const Vertex& vertex, int light, const glm::dvec2& point, Strategy strategy,
                           std::uint64_t& rays) const;
   glm::dvec3 bsdf_sample(const Vertex& vertex, const glm::dvec2& point, double choice, Strategy strategy,
                          std::uint64_t& rays) const;
+
+  const Vertices& vertices() const { return vertices_; }
+  const LightSampling& lights() const { return lights_; }
+
+ private:
   glm::dvec3 emitted(const Seen& seen, const Ray& ray) const;
 
   const Geometry& geometry_;
-  Surfaces surfaces_;
-  Bsdfs bsdfs_;
+  Vertices vertices_;
   LightSampling lights_;
 };
 

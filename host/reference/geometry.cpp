@@ -9,8 +9,8 @@ namespace capcon::reference {
 Geometry::Geometry(const Scene& scene)
     : primitives(scene), tree(primitives), offset(64 * 0x1p-52 * tree.scale()) {}
 
-std::optional<Seen> Geometry::look(const Ray& ray) const {
-  const std::optional<Hit> hit = tree.closest(ray);
+std::optional<Seen> Geometry::look(const Ray& ray, const Ignored& ignored, double t_max) const {
+  const std::optional<Hit> hit = tree.closest(ray, ignored, t_max);
   if (!hit) return {};
   SurfacePoint at = primitives.surface(hit->primitive, ray, hit->t);
   if (glm::dot(at.normal, ray.direction) > 0) at.normal = -at.normal;

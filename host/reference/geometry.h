@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "reference/tree.h"
@@ -19,7 +20,9 @@ struct Geometry {
   explicit Geometry(const Scene& scene);
   Geometry(const Geometry&) = delete;
 
-  std::optional<Seen> look(const Ray& ray) const;
+  /// What a ray sees within `t_max` of what is not ignored.
+  std::optional<Seen> look(const Ray& ray, const Ignored& ignored = {},
+                           double t_max = std::numeric_limits<double>::infinity()) const;
 
   Primitives primitives;
   Tree tree;

@@ -1,6 +1,7 @@
 #include "reference/light_sampling.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -50,35 +51,7 @@ SampleDomain LightSampling::domain(int light, const dvec3& origin) const {
   return disk ? SampleDomain::disk : round ? SampleDomain::cylinder : SampleDomain::square;
 }
 
-LightSample LightSampling::from_area(const Light& light, const dvec3& normal, const dvec3& to,
-                                     const Range& own) const {
-  const double distance = glm::length(to);
-  const dvec3 direction = to / distance;
-  return {direction, distance, area_pdf(light.area, to, normal), side_radiance(light, normal, direction),
-          own.first, own.count};
-}
-
-LightSample LightSampling::from_sphere(const Light& light, const dvec3& origin,
-                                       const glm::dvec2& point) const {
-  if (outside(light, origin)) {
-    const double c = cone_height(light, origin);
-    const glm::dvec2 d = concentric_disk(point.x, point.y);
-    const double d2 = dot(d, d);
-    const double spread = std::sqrt(c * (2 - d2 * c));
-    const Frame frame(glm::normalize(light.position - origin));
-    const dvec3 direction = glm::normalize(frame.to_world({spread * d.x, spread * d.y, 1 - d2 * c}));
-    const dvec3 radiance = light.inward && !light.two_sided ? dvec3(0) : light.radiance;
-    return {direction, near_distance(light, origin, direction), 1 / (2 * pi * c), radiance};
-  }
-  const double z = 1 - 2 * point.y, ring = std::sqrt(std::max(0.0, 1 - z * z));
-  const dvec3 normal(ring * std::cos(2 * pi * point.x), ring * std::sin(2 * pi * point.x), z);
-  const dvec3 to = light.position + light.radius * normal - origin;
-  LightSample sample = from_area(light, normal, to, {});
-  sample.radiance = light.inward || light.two_sided ? light.radiance : dvec3(0);
-  return sample;
-}
-
-LightSample LightSampling::from_triangles(int light, const dvec3& origin, const glm::dvec2& point) const {
+AreaPoint LightSampling::on_triangles(int light, const glm::dvec2& point) const {
   const Light& l = lights_.values[light];
   const auto first = lights_.areas.begin() + l.first_triangle, last = first + l.triangle_count;
   const double area = point.x * l.area;
@@ -87,21 +60,13 @@ LightSample LightSampling::from_triangles(int light, const dvec3& origin, const 
   const auto number = static_cast<std::uint32_t>(chosen - lights_.areas.begin());
   const LightTriangle& t = lights_.triangles[number];
   const glm::dvec2 u = triangle_of_square({(area - before) / (*chosen - before), point.y});
-  const dvec3 to = t.a + u.x * (t.b - t.a) + u.y * (t.c - t.a) - origin;
-  const dvec3 normal = normal_of(t);
   const std::uint32_t own = triangle_primitives_[number];
-  Range ignored = own == Ignored::kNone ? Range{} : Range{own, 1};
-  // The triangles lie within the ellipsoid: from outside it hides them, and is ignored. From the inner side
-  // it is behind them, or its nearer side is rightly in the way.
-  if (is_ellipsoid(light) && (dot(normal, to) > 0) != primitives_.placement(own).shape->reverse_orientation)
-    ignored = {};
-  return from_area(l, normal, to, ignored);
+  return {t.a + u.x * (t.b - t.a) + u.y * (t.c - t.a), normal_of(t), own, own == Ignored::kNone ? 0u : 1u};
 }
 
-std::optional<LightSample> LightSampling::sample(int light, const dvec3& origin, const dvec3& normal,
-                                                 const glm::dvec2& point) const {
+AreaPoint LightSampling::point_on(int light, const glm::dvec2& point) const {
   const Light& l = lights_.values[light];
-  LightSample sample{};
+  const Range& own = ranges_[light];
   switch (l.kind) {
     case LightKind::disk: {
       glm::dvec2 d = concentric_disk(point.x, point.y);
@@ -109,20 +74,64 @@ std::optional<LightSample> LightSampling::sample(int light, const dvec3& origin,
       if (l.inner > 0)  // onto the ring; a centre that has no direction goes along u
         d = r2 > 0 ? d * std::sqrt((l.inner * l.inner + (1 - l.inner * l.inner) * r2) / r2)
                    : glm::dvec2(l.inner, 0);
-      sample = from_area(l, l.normal, l.position + d.x * l.axis_u + d.y * l.axis_v - origin, ranges_[light]);
-      break;
+      return {l.position + d.x * l.axis_u + d.y * l.axis_v, l.normal, own.first, own.count};
     }
     case LightKind::rectangle:
-      sample = from_area(l, l.normal, l.position + point.x * l.axis_u + point.y * l.axis_v - origin,
-                         ranges_[light]);
+      return {l.position + point.x * l.axis_u + point.y * l.axis_v, l.normal, own.first, own.count};
+    case LightKind::triangles:
+      return on_triangles(light, point);
+    default: {
+      assert(l.kind == LightKind::sphere);
+      const double z = 1 - 2 * point.y, ring = std::sqrt(std::max(0.0, 1 - z * z));
+      const dvec3 normal(ring * std::cos(2 * pi * point.x), ring * std::sin(2 * pi * point.x), z);
+      return {l.position + l.radius * normal, l.inward ? -normal : normal, own.first, own.count};
+    }
+  }
+}
+
+LightSample LightSampling::from_area(int light, const dvec3& origin, const glm::dvec2& point) const {
+  const Light& l = lights_.values[light];
+  const AreaPoint on = point_on(light, point);
+  const dvec3 to = on.position - origin;
+  const double distance = glm::length(to);
+  const dvec3 direction = to / distance;
+  LightSample sample{
+      direction, distance, area_pdf(l.area, to, on.normal), side_radiance(l, on.normal, direction),
+      on.first,  on.count};
+  // The triangles lie within the ellipsoid: from outside it hides them, and is ignored. From the inner side
+  // it is behind them, or its nearer side is rightly in the way.
+  if (is_ellipsoid(light) &&
+      (dot(on.normal, to) > 0) != primitives_.placement(on.first).shape->reverse_orientation)
+    sample.count = 0;
+  return sample;
+}
+
+LightSample LightSampling::from_sphere(const Light& light, const dvec3& origin,
+                                       const glm::dvec2& point) const {
+  const double c = cone_height(light, origin);
+  const glm::dvec2 d = concentric_disk(point.x, point.y);
+  const double d2 = dot(d, d);
+  const double spread = std::sqrt(c * (2 - d2 * c));
+  const Frame frame(glm::normalize(light.position - origin));
+  const dvec3 direction = glm::normalize(frame.to_world({spread * d.x, spread * d.y, 1 - d2 * c}));
+  const dvec3 radiance = light.inward && !light.two_sided ? dvec3(0) : light.radiance;
+  return {direction, near_distance(light, origin, direction), 1 / (2 * pi * c), radiance};
+}
+
+std::optional<LightSample> LightSampling::sample(int light, const dvec3& origin, const dvec3& normal,
+                                                 const glm::dvec2& point) const {
+  const Light& l = lights_.values[light];
+  LightSample sample{};
+  switch (l.kind) {
+    case LightKind::disk:
+    case LightKind::rectangle:
+    case LightKind::triangles:
+      sample = from_area(light, origin, point);
       break;
     case LightKind::sphere:
-      sample = from_sphere(l, origin, point);
+      sample = outside(l, origin) ? from_sphere(l, origin, point) : from_area(light, origin, point);
       sample.first = ranges_[light].first;
       sample.count = ranges_[light].count;
-      break;
-    case LightKind::triangles:
-      sample = from_triangles(light, origin, point);
       break;
     case LightKind::environment:
       if (l.environment >= 0) {

@@ -28,6 +28,15 @@ struct LightMet {
   double pdf = 0;
 };
 
+/// A point on an area light, spread evenly over its area.
+struct AreaPoint {
+  glm::dvec3 position;
+  glm::dvec3 normal;  ///< unit, on the emitting side
+  /// What must not hide the point from the emitting side: the chosen triangle of a mesh, else all of the
+  /// light.
+  std::uint32_t first = 0, count = 0;
+};
+
 /// The lights of a scene and the points on them: docs/direct.md's table.
 class LightSampling {
  public:
@@ -40,12 +49,16 @@ class LightSampling {
   int of_primitive(std::uint32_t primitive) const;
   /// Whether rays may meet the light: no point, distant or hidden one.
   bool findable(int light) const;
+  /// Whether it emits as many triangles inside of the ellipsoid that rays meet.
+  bool is_ellipsoid(int light) const;
   /// The domain of the light's points, seen from `origin`.
   SampleDomain domain(int light, const glm::dvec3& origin) const;
   /// Towards the light's point for `point` in [0, 1)^2, from `origin` on a surface with the geometric normal
   /// `normal`. None when it gives nothing there.
   std::optional<LightSample> sample(int light, const glm::dvec3& origin, const glm::dvec3& normal,
                                     const glm::dvec2& point) const;
+  /// The point of a disk, rectangle, triangles or sphere (as from inside) for `point` in [0, 1)^2.
+  AreaPoint point_on(int light, const glm::dvec2& point) const;
   /// Of a ray that meets `primitive`, which is the light's, at distance t.
   LightMet meet(int light, std::uint32_t primitive, const Ray& ray, double t) const;
   /// Of an environment light, towards `direction` from a surface with the geometric normal `normal`.
@@ -60,11 +73,9 @@ class LightSampling {
   };
   void find_primitives();
   int of(const Placement& placement) const;
-  bool is_ellipsoid(int light) const;
-  LightSample from_area(const Light& light, const glm::dvec3& normal, const glm::dvec3& to,
-                        const Range& own) const;
+  LightSample from_area(int light, const glm::dvec3& origin, const glm::dvec2& point) const;
   LightSample from_sphere(const Light& light, const glm::dvec3& origin, const glm::dvec2& point) const;
-  LightSample from_triangles(int light, const glm::dvec3& origin, const glm::dvec2& point) const;
+  AreaPoint on_triangles(int light, const glm::dvec2& point) const;
 
   const Scene& scene_;
   const Primitives& primitives_;

@@ -9,7 +9,10 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "reference/direct_lighting.h"
+#include "reference/global_illumination.h"
 #include "reference/hemisphere.h"
+#include "reference/light_paths.h"
+#include "reference/path_tracing.h"
 
 namespace capcon {
 namespace {
@@ -87,6 +90,19 @@ struct Reference::State {
     result.timings.wall["trace"] = watch.seconds();
   }
 
+  /// Makes the image of what estimate(x, y) says of each pixel.
+  template <typename Estimate>
+  void trace_radiance(RenderResult& result, const std::function<void(double)>& on_progress,
+                      const Estimate& estimate) const {
+    result.device = "reference";
+    result.image = Image(film.width, film.height, 3);
+    trace(result, on_progress, [&](int x, int y) {
+      const DirectLighting::Estimate pixel = estimate(x, y);
+      for (int c = 0; c < 3; ++c) result.image.at(x, y, c) = static_cast<float>(pixel.radiance[c]);
+      return pixel.rays;
+    });
+  }
+
   const DirectLighting& lighting() {
     std::call_once(lighting_once, [&] { direct = std::make_unique<DirectLighting>(scene, geometry); });
     return *direct;
@@ -138,39 +154,60 @@ RenderResult Reference::render(const DirectLightingJob& job,
                                const std::function<void(double)>& on_progress) const {
   assert(job.image_samples >= 1 && job.integrator_samples >= 1);
   RenderResult result;
-  result.device = "reference";
   const Stopwatch lighting_watch;
   const DirectLighting& lighting = state_->lighting();
   result.timings.wall["lighting"] = lighting_watch.seconds();
   const Stopwatch points_watch;
   const DirectPoints points(job);
   result.timings.wall["points"] = points_watch.seconds();
-  result.image = Image(state_->film.width, state_->film.height, 3);
-  state_->trace(result, on_progress, [&](int x, int y) {
-    const DirectLighting::Estimate estimate =
-        lighting.pixel(job, points, state_->view, state_->film.width, x, y);
-    for (int c = 0; c < 3; ++c) result.image.at(x, y, c) = static_cast<float>(estimate.radiance[c]);
-    return estimate.rays;
+  state_->trace_radiance(result, on_progress, [&](int x, int y) {
+    return lighting.pixel(job, points, state_->view, state_->film.width, x, y);
   });
   return result;
 }
 
 RenderResult Reference::render(const GlobalIlluminationJob& job,
                                const std::function<void(double)>& on_progress) const {
-  return render(job, trace_virtual_lights(job), on_progress);
+  const Stopwatch watch;
+  const VirtualLights lights = trace_virtual_lights(job);
+  const double seconds = watch.seconds();
+  RenderResult result = render(job, lights, on_progress);
+  result.timings.wall["paths"] = seconds;
+  return result;
 }
 
-RenderResult Reference::render(const GlobalIlluminationJob&, const VirtualLights&,
-                               const std::function<void(double)>&) const {
-  throw Failure("instant global illumination is not there yet");
+RenderResult Reference::render(const GlobalIlluminationJob& job, const VirtualLights& lights,
+                               const std::function<void(double)>& on_progress) const {
+  check_job(job);
+  assert(lights.sets() == job.sets);
+  GlobalIlluminationJob limited = job;
+  if (limited.limit == 0) limited.limit = default_geometry_limit(state_->scene);
+  const Stopwatch points_watch;
+  const GlobalIllumination illumination(state_->geometry, state_->lighting(), limited, lights);
+  RenderResult result;
+  result.timings.wall["points"] = points_watch.seconds();
+  result.virtual_lights = lights.lights.size();
+  state_->trace_radiance(result, on_progress, [&](int x, int y) {
+    return illumination.pixel(state_->view, state_->film.width, x, y);
+  });
+  return result;
 }
 
-RenderResult Reference::render(const PathTracingJob&, const std::function<void(double)>&) const {
-  throw Failure("path tracing is not there yet");
+RenderResult Reference::render(const PathTracingJob& job,
+                               const std::function<void(double)>& on_progress) const {
+  assert(job.samples >= 1);
+  const DirectLighting& lighting = state_->lighting();
+  const PathTracing paths(state_->geometry, lighting.vertices(), lighting.lights());
+  RenderResult result;
+  state_->trace_radiance(result, on_progress, [&](int x, int y) {
+    return paths.pixel(job, state_->view, state_->film.width, x, y);
+  });
+  return result;
 }
 
-VirtualLights Reference::trace_virtual_lights(const GlobalIlluminationJob&) const {
-  throw Failure("light paths are not there yet");
+VirtualLights Reference::trace_virtual_lights(const GlobalIlluminationJob& job) const {
+  check_job(job);
+  return LightPaths(state_->scene, state_->geometry, state_->lighting(), job).all();
 }
 
 RenderResult Reference::render(const Job& job, const std::function<void(double)>& on_progress) const {

@@ -83,9 +83,8 @@ void Tree::walk(const Ray& ray, double& t_max, const Visit& visit) const {
   }
 }
 
-std::optional<Hit> Tree::closest(const Ray& ray, const Ignored& ignored) const {
+std::optional<Hit> Tree::closest(const Ray& ray, const Ignored& ignored, double t_max) const {
   std::optional<Hit> nearest;
-  double t_max = std::numeric_limits<double>::infinity();
   walk(ray, t_max, [&](std::uint32_t primitive) {
     if (ignored(primitive)) return false;
     const double t = primitives_.intersect(primitive, ray, t_max);

@@ -30,8 +30,9 @@ class Tree {
   /// Keeps a reference to `primitives`.
   explicit Tree(const Primitives& primitives);
 
-  /// The nearest surface in front of the origin.
-  std::optional<Hit> closest(const Ray& ray, const Ignored& ignored = {}) const;
+  /// The nearest surface in front of the origin, at a distance in (0, t_max].
+  std::optional<Hit> closest(const Ray& ray, const Ignored& ignored = {},
+                             double t_max = std::numeric_limits<double>::infinity()) const;
   /// Whether anything that is not ignored is hit at a distance in (0, t_max].
   bool occluded(const Ray& ray, double t_max, const Ignored& ignored = {}) const;
   /// Largest magnitude of a coordinate in the scene.
