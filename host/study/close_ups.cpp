@@ -9,9 +9,17 @@
 namespace capcon {
 namespace {
 
-constexpr double kPicturePixels = 144e3;
-constexpr std::uint32_t kPictureSamples = 128;
-constexpr double kRegionPart = 0.22;  // of the picture's width
+/// How large and how well the picture is rendered.
+struct Extent {
+  double pixels = 144e3;
+  std::uint32_t samples = 128;  // of the picture itself
+  double region_part = 0.22;    // of the picture's width
+};
+
+/// Blotches are as large as the room is; and every set is hundreds of rays a pixel.
+Extent extent_of(Integral integral) {
+  return integral == Integral::global_illumination ? Extent{21e3, 64, 0.45} : Extent{};
+}
 
 Image difference(const Image& a, const Image& b) {
   Image result = a;
@@ -20,8 +28,9 @@ Image difference(const Image& a, const Image& b) {
   return result;
 }
 
-/// 4 and 16 samples; of splits the one in the middle.
+/// 4 and 16 samples; 4 sets; of splits the one in the middle.
 std::vector<std::uint32_t> close_up_counts(const StudySettings& settings) {
+  if (settings.integral == Integral::global_illumination) return {4};
   if (settings.integral != Integral::splitting) return {4, 16};
   return {settings.samples[settings.samples.size() / 2]};
 }
@@ -71,16 +80,17 @@ Region worst_region(const Image& errors, int width, int height) {
 
 CloseUps make_close_ups(const StudySettings& settings, const MakeStudyDevice& make_device,
                         const RunnerOptions& options) {
-  const double scale = std::max(1.0, std::sqrt(kPicturePixels / settings.width / settings.height));
+  const Extent extent = extent_of(settings.integral);
+  const double scale = std::max(1.0, std::sqrt(extent.pixels / settings.width / settings.height));
   const int width = static_cast<int>(std::lround(settings.width * scale));
   const int height = static_cast<int>(std::lround(settings.height * scale));
   const StudyDevice device = make_device(width, height);
 
   CloseUps result;
   result.samples = close_up_counts(settings);
-  result.picture_samples = kPictureSamples;
+  result.picture_samples = extent.samples;
   double done = 0;
-  Progress progress("close-ups", kPictureSamples + 20.0 * static_cast<double>(settings.samplers.size()),
+  Progress progress("close-ups", extent.samples + 20.0 * static_cast<double>(settings.samplers.size()),
                     options.quiet);
   const auto render = [&](const Job& job, std::uint32_t samples) {
     if (options.interrupted())
@@ -90,8 +100,8 @@ CloseUps make_close_ups(const StudySettings& settings, const MakeStudyDevice& ma
     return image;
   };
   StudySettings picture = settings;
-  picture.reference_samples = kPictureSamples;
-  result.picture = render(make_reference_job(picture, 0), kPictureSamples);
+  picture.reference_samples = extent.samples;
+  result.picture = render(make_reference_job(picture, 0), extent.samples);
   Image errors(width, height, 1);
   std::vector<Image> images;
   for (const std::uint32_t samples : result.samples) {
@@ -106,7 +116,7 @@ CloseUps make_close_ups(const StudySettings& settings, const MakeStudyDevice& ma
       }
     }
   }
-  const int region_width = static_cast<int>(std::lround(width * kRegionPart));
+  const int region_width = static_cast<int>(std::lround(width * extent.region_part));
   result.region = worst_region(errors, region_width, region_width * 3 / 4);
   result.reference = crop(result.picture, result.region);
   for (std::size_t i = 0; i < images.size(); ++i) {

@@ -36,8 +36,8 @@ Region worst_region(const Image& errors, int width, int height);
 Image crop(const Image& image, const Region& region);
 
 /// Renders the scene larger, with every sampler at 4 and 16 samples (splitting: at the middle one of its
-/// splits), and cuts out the region where all samplers together err most at the last of these: nobody's
-/// choice, and where a difference shows first.
+/// splits; global illumination: at 4 sets), and cuts out the region where all samplers together err most at
+/// the last of these: nobody's choice, and where a difference shows first.
 CloseUps make_close_ups(const StudySettings& settings, const MakeStudyDevice& make_device,
                         const RunnerOptions& options);
 

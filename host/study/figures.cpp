@@ -182,7 +182,7 @@ Figures make_figures(const StudyResult& result) {
       }
     }
   }
-  // In a study of splitting a naive variant stands beside what it is naive of.
+  // A naive variant stands beside what it is naive of.
   for (const std::string& name : result.settings.samplers) {
     const Variant variant = parse_variant(name);
     if (variant.partition || !columns.contains(variant.sampler)) continue;

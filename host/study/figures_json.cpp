@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "study/coarse.h"
 #include "study/figures.h"
 #include "study/findings.h"
 
@@ -15,6 +16,21 @@ json number(double v) {
 
 json interval(const Interval& v) {
   return {{"value", number(v.value)}, {"low", number(v.low)}, {"high", number(v.high)}};
+}
+
+json noise_json(const Noise& noise) {
+  json cells = json::array();
+  for (const NoiseCell& c : noise.cells) {
+    cells.push_back({{"sampler", c.sampler},
+                     {"samples", c.samples},
+                     {"deviation", interval(c.deviation)},
+                     {"mean_error", number(c.mean_error)},
+                     {"mean_error_by_chance", number(c.chance)},
+                     {"bias_square", interval(c.bias_square)},
+                     {"coarse_share", interval(c.coarse)}});
+  }
+  return {
+      {"coarse_block", kCoarseBlock}, {"coarse_share_by_chance", noise.coarse_by_chance}, {"cells", cells}};
 }
 
 json cell_json(const Cell& c) {
@@ -51,20 +67,23 @@ json to_json(const StudyResult& result, const Figures& figures) {
                       {"equal_error_beyond", r.beyond},
                       {"equal_time_mse_ratio", interval(r.equal_time)}});
   }
-  return {{"study", words_of(result.settings.integral).slug},
-          {"version", result.version},
-          {"started", result.started},
-          {"settings", to_json(result.settings)},
-          {"device", result.device},
-          {"findings", make_findings(result.settings, figures)},
-          {"reference",
-           {{"error", figures.reference_error},
-            {"groups", result.settings.reference_groups},
-            {"samples", result.settings.reference_samples},
-            {"sampler", kReferenceSampler},
-            {"margin", kReferenceMargin}}},
-          {"curves", curves},
-          {"ratios", ratios}};
+  json whole = {{"study", words_of(result.settings.integral).slug},
+                {"version", result.version},
+                {"started", result.started},
+                {"settings", to_json(result.settings)},
+                {"device", result.device},
+                {"findings", make_findings(result.settings, figures)},
+                {"reference",
+                 {{"error", figures.reference_error},
+                  {"groups", result.settings.reference_groups},
+                  {"coarse_error", result.reference.coarse_error},
+                  {"samples", result.settings.reference_samples},
+                  {"sampler", kReferenceSampler},
+                  {"margin", kReferenceMargin}}},
+                {"curves", curves},
+                {"ratios", ratios}};
+  if (!figures.noise.cells.empty()) whole["noise"] = noise_json(figures.noise);
+  return whole;
 }
 
 }  // namespace capcon

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "study/format.h"
+#include "study/igi_findings.h"
 #include "study/split_findings.h"
 
 namespace capcon {
@@ -152,7 +153,7 @@ std::string equal_time(const StudySettings& settings, const Figures& figures, co
                      enumerate(parts));
 }
 
-std::string unsure(const Figures& figures) {
+std::string unsure(const StudySettings& settings, const Figures& figures) {
   int count = 0;
   for (const Curve& curve : figures.curves) {
     for (const Cell& cell : curve.cells) count += cell.sure ? 0 : 1;
@@ -161,15 +162,19 @@ std::string unsure(const Figures& figures) {
   return fmt::format(
       "{} of the measured errors {} less than {} times the reference image's own error and {} left out of "
       "all "
-      "comparisons; more --reference-samples would settle {}.",
+      "comparisons; more --reference-{} would settle {}.",
       count, count == 1 ? "is" : "are", kReferenceMargin, count == 1 ? "is" : "are",
-      count == 1 ? "it" : "them");
+      words_of(settings.integral).many, count == 1 ? "it" : "them");
 }
 
 }  // namespace
 
 std::string study_subject(const StudySettings& settings) {
   const auto& names = settings.samplers;
+  // The text's own points are what a study of light paths asks about first.
+  if (settings.integral == Integral::global_illumination &&
+      std::find(names.begin(), names.end(), "capcon") != names.end())
+    return "capcon";
   for (const char* ours : {"capcon-domain", "capcon"}) {
     if (std::find(names.begin(), names.end(), ours) != names.end()) return ours;
   }
@@ -182,18 +187,27 @@ std::string study_subject(const StudySettings& settings) {
 std::vector<std::string> make_findings(const StudySettings& settings, const Figures& figures) {
   if (settings.integral == Integral::splitting) return make_split_findings(settings, figures);
   const std::string subject = study_subject(settings);
-  std::vector<std::string> findings = {headline(settings, figures, subject)};
+  std::vector<std::string> findings;
   const auto add = [&](std::string sentence) {
     if (!sentence.empty()) findings.push_back(std::move(sentence));
   };
+  const auto add_doubts = [&] {
+    add(unsure(settings, figures));
+    if (settings.seeds < 2) add("There was one seed only: nothing here says how sure the figures are.");
+  };
+  if (settings.integral == Integral::global_illumination) {
+    findings = make_igi_findings(settings, figures);
+    add_doubts();
+    return findings;
+  }
+  add(headline(settings, figures, subject));
   for (const std::string& baseline : figures.baselines) {
     if (baseline != subject) add(equal_samples(settings, figures, subject, baseline));
   }
   add(equal_time(settings, figures, subject));
   add(best(settings, figures));
   add(beside_the_text(settings, figures));
-  add(unsure(figures));
-  if (settings.seeds < 2) add("There was one seed only: nothing here says how sure the figures are.");
+  add_doubts();
   return findings;
 }
 

@@ -7,7 +7,8 @@
 
 namespace capcon {
 
-/// The sampler a study is about: capcon where it was measured, else the last of the list that is no baseline.
+/// The sampler a study is about: capcon-domain where it was measured (of light paths: capcon), else capcon,
+/// else the last of the list that is no baseline.
 std::string study_subject(const StudySettings& settings);
 
 /// What the figures say, in plain sentences made from them: the headline first. Whatever they say; a

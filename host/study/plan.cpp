@@ -41,6 +41,21 @@ DirectLightingJob direct_job(const StudySettings& settings, std::uint32_t image,
   return job;
 }
 
+/// `variant` makes the light paths; what happens in the pixel is the same for all.
+GlobalIlluminationJob global_illumination_job(const StudySettings& settings, const Variant& variant,
+                                              std::uint32_t sets, std::uint32_t seed) {
+  GlobalIlluminationJob job;
+  job.direct = direct_job(settings, 1, 1, kReferenceSampler, seed);
+  job.sampler = variant.sampler;
+  job.partition = variant.partition;
+  job.paths = variant.factor * settings.paths;
+  job.sets = sets;
+  job.limit = settings.limit;
+  job.only_indirect = true;
+  check_job(job);
+  return job;
+}
+
 }  // namespace
 
 Job make_job(const StudySettings& settings, const PlannedRun& run) {
@@ -49,6 +64,8 @@ Job make_job(const StudySettings& settings, const PlannedRun& run) {
   if (settings.integral == Integral::direct)
     return direct_job(settings, 1, run.samples, run.sampler, run.seed);
   const Variant variant = parse_variant(run.sampler);
+  if (settings.integral == Integral::global_illumination)
+    return global_illumination_job(settings, variant, run.samples, run.seed);
   DirectLightingJob job = direct_job(settings, run.samples, variant.factor * settings.combined / run.samples,
                                      variant.sampler, run.seed);
   job.partition = variant.partition;
@@ -60,6 +77,8 @@ Job make_reference_job(const StudySettings& settings, std::uint32_t group) {
   if (settings.integral == Integral::ambient_occlusion)
     return AmbientOcclusionJob{settings.radius, kReferenceSampler, settings.reference_samples, seed,
                                settings.position};
+  if (settings.integral == Integral::global_illumination)
+    return global_illumination_job(settings, {kReferenceSampler}, settings.reference_samples, seed);
   // At pixel centres one image sample is all there is; else as many as points keep the same total.
   const bool centre = settings.position == PixelPosition::centre;
   const std::uint32_t points =
@@ -69,25 +88,33 @@ Job make_reference_job(const StudySettings& settings, std::uint32_t group) {
 }
 
 nlohmann::json to_json(const StudySettings& s) {
-  return {{"integral", words_of(s.integral).slug},
-          {"combined", s.combined},
-          {"pixel_samples", s.position == PixelPosition::centre ? "centre" : "jittered"},
-          {"scene", s.scene},
-          {"scene_fingerprint", fmt::format("{:016x}", s.scene_fingerprint)},
-          {"points_fingerprint", fmt::format("{:016x}", s.points_fingerprint)},
-          {"unique_triangles", s.unique_triangles},
-          {"instanced_triangles", s.instanced_triangles},
-          {"width", s.width},
-          {"height", s.height},
-          // JSON has no infinity.
-          {"radius", std::isfinite(s.radius) ? nlohmann::json(s.radius) : nlohmann::json("infinite")},
-          {"samplers", s.samplers},
-          {"samples", s.samples},
-          {"seeds", s.seeds},
-          {"reference_samples", s.reference_samples},
-          {"reference_groups", s.reference_groups},
-          {"close_ups", s.close_ups},
-          {"command", s.command}};
+  nlohmann::json json = {
+      {"integral", words_of(s.integral).slug},
+      {"combined", s.combined},
+      {"pixel_samples", s.position == PixelPosition::centre ? "centre" : "jittered"},
+      {"scene", s.scene},
+      {"scene_fingerprint", fmt::format("{:016x}", s.scene_fingerprint)},
+      {"points_fingerprint", fmt::format("{:016x}", s.points_fingerprint)},
+      {"unique_triangles", s.unique_triangles},
+      {"instanced_triangles", s.instanced_triangles},
+      {"width", s.width},
+      {"height", s.height},
+      // JSON has no infinity.
+      {"radius", std::isfinite(s.radius) ? nlohmann::json(s.radius) : nlohmann::json("infinite")},
+      {"samplers", s.samplers},
+      {"samples", s.samples},
+      {"seeds", s.seeds},
+      {"reference_samples", s.reference_samples},
+      {"reference_groups", s.reference_groups},
+      {"close_ups", s.close_ups},
+      {"command", s.command}};
+  if (s.integral == Integral::global_illumination) {
+    const GlobalIlluminationJob usual;
+    json["paths"] = s.paths;
+    json["limit"] = s.limit;
+    json["gather"] = usual.gather;
+  }
+  return json;
 }
 
 std::string settings_hash(const StudySettings& settings, const nlohmann::json& device) {

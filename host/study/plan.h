@@ -22,11 +22,14 @@ struct StudySettings {
   int height = 0;
   double radius = 0;                               ///< of ambient occlusion
   std::uint32_t combined = 16;                     ///< splitting: N, points a pixel
+  std::uint32_t paths = 128;                       ///< global illumination: N, light paths a set
+  double limit = 0;                                ///< of the geometry term; 0: by the scene's size
   PixelPosition position = PixelPosition::centre;  ///< of image samples
   std::vector<std::string> samplers;
-  std::vector<std::uint32_t> samples = {1, 2, 4, 8, 16, 32, 64, 128, 256};  ///< splitting: P, divisors of N
-  std::uint32_t seeds = 8;                                                  ///< 1 ... seeds
-  std::uint32_t reference_samples = 1024;                                   ///< of each group, at each pixel
+  std::vector<std::uint32_t> samples = {
+      1, 2, 4, 8, 16, 32, 64, 128, 256};   ///< splitting: P, divisors of N; global illumination: S
+  std::uint32_t seeds = 8;                 ///< 1 ... seeds
+  std::uint32_t reference_samples = 1024;  ///< of each group, at each pixel; or sets
   std::uint32_t reference_groups = 4;
   bool close_ups = true;
   std::string command;  ///< for the report
@@ -34,7 +37,7 @@ struct StudySettings {
 
 /// One measurement of the study.
 struct PlannedRun {
-  std::string sampler;  ///< splitting: a variant, see parse_variant()
+  std::string sampler;  ///< has_variants(): a variant, see parse_variant()
   std::uint32_t samples = 1;
   std::uint32_t seed = 1;
 
@@ -46,7 +49,9 @@ struct PlannedRun {
 /// all samplers alike.
 std::vector<PlannedRun> plan_runs(const StudySettings& settings);
 
-/// With image samples at pixel centres the error is that of the integral alone.
+/// With image samples at pixel centres the error is that of the integral alone. Of global illumination the
+/// light paths are the sampler's; compensation rays are kReferenceSampler's for all, so that they add the
+/// same noise.
 Job make_job(const StudySettings& settings, const PlannedRun& run);
 
 /// The reference's sampler, and the seed of its group: far from those of the runs.

@@ -18,6 +18,7 @@ struct ReferenceImage {
   Image image;  ///< mean over independent groups
   double error =
       0;  ///< expected MSE of `image`: mean over pixels of the groups' sample variance, divided by groups
+  double coarse_error = 0;  ///< the same of the means of blocks: its expected coarse_mse()
 };
 
 /// Mean and error estimate of at least two independent images of one size.

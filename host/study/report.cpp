@@ -18,12 +18,21 @@ int sampler_style(const std::string& sampler, const StudySettings& settings) {
                                         "ccvt",   "capcon",   "capcon-domain"};
   const auto known = std::find(kKnown.begin(), kKnown.end(), sampler);
   if (known != kKnown.end()) return static_cast<int>(known - kKnown.begin());
-  int others = static_cast<int>(kKnown.size());
+  constexpr int kStyles = 8;
+  std::vector<int> left;
+  for (int i = 0; i < kStyles; ++i) {
+    const int style = (static_cast<int>(kKnown.size()) + i) % kStyles;
+    const bool taken = style < static_cast<int>(kKnown.size()) &&
+                       std::find(settings.samplers.begin(), settings.samplers.end(), kKnown[style]) !=
+                           settings.samplers.end();
+    if (!taken) left.push_back(style);
+  }
+  std::size_t others = 0;
   for (const std::string& name : settings.samplers) {
     if (name == sampler) break;
     if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end()) ++others;
   }
-  return others % 8;
+  return left.empty() ? static_cast<int>(others % kStyles) : left[others % left.size()];
 }
 
 namespace {
@@ -56,14 +65,17 @@ std::string html_report(const StudyResult& result, const Figures& figures,
       "<p class=\"small\">{} · {} × {} pixels · {} instanced triangles · {} · {}</p></header>\n<main>\n",
       words_of(s.integral).title, report_style(), words_of(s.integral).title, escape(s.scene), s.width,
       s.height, grouped(s.instanced_triangles), escape(device), escape(result.started));
-  const auto section = [&](const char* id, const char* title, const std::string& body) {
+  const auto section = [&](const char* id, const std::string& title, const std::string& body) {
     html += fmt::format("<section id=\"{}\"><h2>{}</h2>\n{}</section>\n", id, title, body);
   };
   section("findings", "What was found", findings_section(result, figures));
-  section("charts", "Error against samples and against time", report_charts(result, figures));
+  section("charts", fmt::format("Error against {} and against time", words_of(s.integral).many),
+          report_charts(result, figures));
   if (close_ups) section("close-ups", "What it looks like", report_close_ups(s, *close_ups));
+  if (!figures.noise.cells.empty())
+    section("noise", "Noise against structure", report_noise(result, figures));
   section("tables", "The figures", report_tables(result, figures));
-  if (explanation) section("left-out", "What was left out", report_explanation(*explanation));
+  if (explanation) section("left-out", "What was left out", report_explanation(s, *explanation));
   section("methods", "What ran, and how each figure is computed", report_methods(result, figures));
   return html + "</main>\n</body></html>\n";
 }

@@ -21,15 +21,17 @@ std::string html_report(const StudyResult& result, const Figures& figures,
 std::string report_charts(const StudyResult& result, const Figures& figures);
 /// MSE, slopes, equal error, equal time.
 std::string report_tables(const StudyResult& result, const Figures& figures);
+/// Noise and structure of studies that keep the images of their runs: tables and maps.
+std::string report_noise(const StudyResult& result, const Figures& figures);
 std::string report_close_ups(const StudySettings& settings, const CloseUps& close_ups);
 /// What was left out because the job does not need it, and what that saved.
-std::string report_explanation(const Explanation& explanation);
+std::string report_explanation(const StudySettings& settings, const Explanation& explanation);
 /// What ran, and how each figure is computed.
 std::string report_methods(const StudyResult& result, const Figures& figures);
 /// The style sheet: light and dark, screen and paper.
 std::string_view report_style();
 
-/// Colour and marker of a sampler: known ones always keep theirs.
+/// Colour and marker of a sampler: known ones always keep theirs, others take those that are left.
 int sampler_style(const std::string& sampler, const StudySettings& settings);
 
 }  // namespace capcon

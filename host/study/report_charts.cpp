@@ -48,8 +48,9 @@ std::string figure(const Chart& chart, const std::string& caption) {
 
 std::string error_chart(const StudyResult& result, const Figures& figures) {
   Chart chart{"c-samples",
-              "Error against samples",
-              "Mean squared error over samples a pixel, one line a sampler.",
+              fmt::format("Error against {}", words_of(result.settings.integral).many),
+              fmt::format("Mean squared error over {}, one line a sampler.",
+                          words_of(result.settings.integral).counts),
               std::string(words_of(result.settings.integral).counts),
               "MSE",
               LogAxis::Style::counts,
@@ -67,7 +68,8 @@ std::string relative_chart(const StudyResult& result, const Figures& figures, co
   constexpr double kTooFar = 4;  // a line that goes farther would flatten all others
   Chart chart{"c-relative",
               "The same, beside " + baseline,
-              "MSE divided by that of " + baseline + " at equal samples.",
+              fmt::format("MSE divided by that of {} at equal {}.", baseline,
+                          words_of(result.settings.integral).many),
               std::string(words_of(result.settings.integral).counts),
               "MSE / MSE of " + baseline,
               LogAxis::Style::counts,
@@ -97,8 +99,8 @@ std::string relative_chart(const StudyResult& result, const Figures& figures, co
       chart.lines.push_back(line);
     }
   }
-  return figure(chart, fmt::format("Below the heavy line a sampler errs less than {} with as many samples.{}",
-                                   baseline, left_out));
+  return figure(chart, fmt::format("Below the heavy line a sampler errs less than {} with as many {}.{}",
+                                   baseline, words_of(result.settings.integral).many, left_out));
 }
 
 std::string device_chart(const StudyResult& result, const Figures& figures) {

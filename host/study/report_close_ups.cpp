@@ -15,11 +15,11 @@ std::string overview(const CloseUps& c, const IntegralWords& words) {
       "<figure class=\"overview\"><div class=\"framed\">{}<svg viewBox=\"0 0 {} {}\" "
       "aria-hidden=\"true\"><rect class=\"halo\" "
       "x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/><rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" "
-      "height=\"{}\"/></svg></div><figcaption>The scene, {} samples a pixel; framed: the region of the "
+      "height=\"{}\"/></svg></div><figcaption>{}, {} {}; framed: the region of the "
       "close-ups.</figcaption></figure>",
       embedded_image(p, 1, std::string(words.picture)), p.width, p.height, c.region.x, c.region.y,
-      c.region.width, c.region.height, c.region.x, c.region.y, c.region.width, c.region.height,
-      c.picture_samples);
+      c.region.width, c.region.height, c.region.x, c.region.y, c.region.width, c.region.height, words.picture,
+      c.picture_samples, words.counts);
 }
 
 std::string view(const Image& image, float exposure, const std::string& alt, const std::string& caption) {
@@ -42,7 +42,8 @@ std::string report_close_ups(const StudySettings& settings, const CloseUps& c) {
     for (const CloseUp& v : c.views) {
       if (v.samples != samples) continue;
       const std::string name = svg_marker(sampler_style(v.sampler, settings)) + escape(v.sampler);
-      renders += view(v.crop, 1, fmt::format("{} at {} samples", v.sampler, samples), name);
+      renders += view(v.crop, 1,
+                      fmt::format("{} at {} {}", v.sampler, samples, words_of(settings.integral).many), name);
       differences +=
           view(v.difference, c.exposure, fmt::format("Difference of {} from the reference", v.sampler),
                "MSE " + scientific(v.mse));
@@ -50,17 +51,17 @@ std::string report_close_ups(const StudySettings& settings, const CloseUps& c) {
     html += fmt::format(
         "<h3>{} {}</h3><div class=\"scroll\" role=\"region\" tabindex=\"0\" "
         "aria-label=\"Close-ups at "
-        "{} samples\"><div class=\"views\" style=\"--n:{}\">{}{}</div></div>",
-        samples, words_of(settings.integral).counts, samples, settings.samplers.size() + 1, renders,
-        differences);
+        "{} {}\"><div class=\"views\" style=\"--n:{}\">{}{}</div></div>",
+        samples, words_of(settings.integral).counts, samples, words_of(settings.integral).many,
+        settings.samplers.size() + 1, renders, differences);
   }
   return html +
          fmt::format(
              "<p class=\"small\">Above the render, below it |render − reference| times {:g}, the same for "
              "all of "
-             "them, both as sRGB. The region is the one where all samplers together err most at {} samples. "
+             "them, both as sRGB. The region is the one where all samplers together err most at {} {}. "
              "Seed {} of each; MSE within the region.</p>",
-             c.exposure, c.samples.back(), c.seed);
+             c.exposure, c.samples.back(), words_of(settings.integral).many, c.seed);
 }
 
 }  // namespace capcon

@@ -12,14 +12,17 @@ std::string cost_cell(double value, double scale, const char* unit) {
 
 }  // namespace
 
-std::string report_explanation(const Explanation& e) {
+std::string report_explanation(const StudySettings& settings, const Explanation& e) {
   HtmlTable features("What this job uses of the scene and the program, and what was left out",
                      {"feature", "in the scene", "used or left out"});
   for (const FeatureRow& row : e.rows) {
     features.row(
         {escape(row.name), escape(row.in_scene), row.used ? "used" : "left out: " + escape(row.left_out)});
   }
-  HtmlTable costs("The cost of one render at 16 samples", {"", "as needed", "everything kept", "saved"});
+  const std::uint32_t count = settings.samples[settings.samples.size() / 2];
+  HtmlTable costs(fmt::format("The cost of one render at {} {}", count_label(settings, count),
+                              words_of(settings.integral).many),
+                  {"", "as needed", "everything kept", "saved"});
   const auto row = [&](const char* name, double needed, double everything, double scale, const char* unit) {
     costs.row({name, cost_cell(needed, scale, unit), cost_cell(everything, scale, unit),
                cost_cell(everything - needed, scale, unit)});

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "study/coarse.h"
 #include "study/format.h"
 #include "study/html.h"
 #include "study/report.h"
@@ -25,11 +26,18 @@ std::string what_ran(const StudyResult& result, const Figures& figures) {
     item("radius", std::isfinite(s.radius) ? fmt::format("{:g} scene units", s.radius) : "unlimited");
   if (s.integral == Integral::splitting)
     item("points a pixel", fmt::format("{} for each light and the BSDF", s.combined));
-  item("runs", fmt::format("{} samplers × {} sample counts × {} seeds (1 … {}) = {} renders",
-                           s.samplers.size(), s.samples.size(), s.seeds, s.seeds, result.records.size()));
+  if (s.integral == Integral::global_illumination) {
+    item("light paths", fmt::format("{} a set; what a sampler makes is these alone", s.paths));
+    item("geometry term",
+         fmt::format("at most {}; the rest by 4 compensation rays a set, of {} for all samplers",
+                     s.limit > 0 ? fmt::format("{:g}", s.limit) : "the limit by the scene's size",
+                     kReferenceSampler));
+  }
+  item("runs", fmt::format("{} samplers × {} counts × {} seeds (1 … {}) = {} renders", s.samplers.size(),
+                           s.samples.size(), s.seeds, s.seeds, result.records.size()));
   item("reference",
-       fmt::format("{}, {} groups of {} samples; its own expected MSE {}", kReferenceSampler,
-                   s.reference_groups, s.reference_samples, scientific(figures.reference_error)));
+       fmt::format("{}, {} groups of {} {}; its own expected MSE {}", kReferenceSampler, s.reference_groups,
+                   s.reference_samples, words_of(s.integral).many, scientific(figures.reference_error)));
   for (const auto& [name, value] : result.device.items()) {
     item("device " + name, value.is_string() ? value.get<std::string>() : value.dump());
   }
@@ -62,6 +70,18 @@ that slows down does so for all samplers alike.</dd>
 </dl>
 <p class="small">Beside this page: runs.jsonl (every run), study.json (every figure), reference.exr (the reference image).</p>)";
 
+std::string noise_formulas(double coarse_error) {
+  return fmt::format(
+      R"(<dt>noise</dt><dd>of a pixel: s², the sample variance over the seeds; given is the root of its mean over pixels and channels.</dd>
+<dt>mean error</dt><dd>root mean square of (mean over n seeds − R̄). Without bias its square is the mean of s² / n plus e in expectation:
+that is "chance". What is left of the square without chance estimates the mean square of a bias. Errors of pixels go together, so it moves
+more than so many pixels suggest: its interval, by the jackknife over seeds, says how much.</dd>
+<dt>coarse error</dt><dd>mean square, over blocks of {0} × {0} pixels weighted by their pixels, of the mean of I − R̄ in a block, less that of the
+reference ({1}); its share of the MSE is the ratio of the means over seeds.</dd>
+)",
+      kCoarseBlock, scientific(coarse_error));
+}
+
 }  // namespace
 
 std::string report_methods(const StudyResult& result, const Figures& figures) {
@@ -69,6 +89,8 @@ std::string report_methods(const StudyResult& result, const Figures& figures) {
   const std::string integral =
       fmt::format("<dt>the integral</dt><dd>{}</dd>\n", words_of(result.settings.integral).formula);
   formulas.insert(formulas.find("<dt>reference</dt>"), integral);
+  if (keeps_images(result.settings.integral))
+    formulas.insert(formulas.find("<dt>device time</dt>"), noise_formulas(result.reference.coarse_error));
   return what_ran(result, figures) + formulas;
 }
 

@@ -39,7 +39,7 @@ std::string ratio_cell(const Interval& v, double even) {
 
 std::string mse_table(const StudyResult& result, const Figures& figures) {
   HtmlTable table("Mean squared error, with 95 % interval; the lowest of each row underlined",
-                  head("samples", result));
+                  head(std::string(words_of(result.settings.integral).many), result));
   for (const std::uint32_t n : result.settings.samples) {
     double lowest = INFINITY;
     for (const Curve& curve : figures.curves) {
@@ -61,9 +61,10 @@ std::string mse_table(const StudyResult& result, const Figures& figures) {
 
 std::string slope_table(const StudyResult& result, const Figures& figures) {
   HtmlTable table(
-      fmt::format("Slopes in log-log, from {} samples on (random points: -1 over samples)", kSlopeFrom),
+      fmt::format("Slopes in log-log, from {} {} on (random points: -1 over {})", kSlopeFrom,
+                  words_of(result.settings.integral).many, words_of(result.settings.integral).many),
       head("over", result));
-  const auto slope_row = [&](const char* name, Interval Curve::*slope) {
+  const auto slope_row = [&](const std::string& name, Interval Curve::*slope) {
     std::vector<std::string> row = {name};
     for (const Curve& curve : figures.curves) {
       const Interval& v = curve.*slope;
@@ -74,13 +75,14 @@ std::string slope_table(const StudyResult& result, const Figures& figures) {
     }
     table.row(row);
   };
-  slope_row("samples", &Curve::slope);
+  slope_row(std::string(words_of(result.settings.integral).many), &Curve::slope);
   slope_row("device time", &Curve::time_slope);
   return table.str();
 }
 
 std::string time_table(const StudyResult& result, const Figures& figures) {
-  HtmlTable table("Device time of a render; below it the time to make the points", head("samples", result));
+  HtmlTable table("Device time of a render; below it the time to make the points",
+                  head(std::string(words_of(result.settings.integral).many), result));
   for (const std::uint32_t n : result.settings.samples) {
     std::vector<std::string> row = {count_label(result.settings, n)};
     for (const Curve& curve : figures.curves) {
@@ -93,9 +95,27 @@ std::string time_table(const StudyResult& result, const Figures& figures) {
   return table.str();
 }
 
+/// MSE beside a baseline's at equal counts.
+std::string ratio_table(const StudyResult& result, const Figures& figures, const std::string& baseline) {
+  const std::string_view many = words_of(result.settings.integral).many;
+  HtmlTable table(fmt::format("MSE / MSE of {} at as many {}", baseline, many),
+                  head(std::string(many), result, baseline));
+  for (const std::uint32_t n : result.settings.samples) {
+    std::vector<std::string> row = {count_label(result.settings, n)};
+    for (const Curve& curve : figures.curves) {
+      if (curve.sampler == baseline) continue;
+      const Ratio* r = figures.ratio(curve.sampler, baseline, n);
+      row.push_back(r ? ratio_cell(r->mse, 1) : kNone);
+    }
+    table.row(row);
+  }
+  return table.str();
+}
+
 std::string equal_error_table(const StudyResult& result, const Figures& figures,
                               const std::string& baseline) {
-  HtmlTable table(fmt::format("Equal error: samples needed to be as good as {} at n samples", baseline),
+  HtmlTable table(fmt::format("Equal error: {0} needed to be as good as {1} at n {0}",
+                              words_of(result.settings.integral).many, baseline),
                   head("n", result, baseline));
   for (const std::uint32_t n : result.settings.samples) {
     std::vector<std::string> row = {count_label(result.settings, n)};
@@ -114,9 +134,9 @@ std::string equal_error_table(const StudyResult& result, const Figures& figures,
 }
 
 std::string equal_time_table(const StudyResult& result, const Figures& figures, const std::string& baseline) {
-  HtmlTable table(
-      fmt::format("Equal time: MSE beside that of {}, in the device time its n samples take", baseline),
-      head("n", result, baseline));
+  HtmlTable table(fmt::format("Equal time: MSE beside that of {}, in the device time its n {} take", baseline,
+                              words_of(result.settings.integral).many),
+                  head("n", result, baseline));
   for (const std::uint32_t n : result.settings.samples) {
     std::vector<std::string> row = {count_label(result.settings, n)};
     for (const Curve& curve : figures.curves) {
@@ -139,6 +159,11 @@ std::string report_tables(const StudyResult& result, const Figures& figures) {
       "<p class=\"small\"><span class=\"better\">▼ better</span> and <span class=\"worse\">▲ worse</span> "
       "than the "
       "baseline mark differences that the interval shows; figures without a mark may be even.</p>";
+  if (result.settings.integral == Integral::global_illumination) {
+    html += "<div class=\"pair\">";
+    for (const std::string& baseline : figures.baselines) html += ratio_table(result, figures, baseline);
+    html += "</div>";
+  }
   for (const std::string& baseline : figures.baselines) {
     html += "<div class=\"pair\">" + equal_error_table(result, figures, baseline) +
             equal_time_table(result, figures, baseline) + "</div>";

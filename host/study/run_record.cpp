@@ -31,6 +31,7 @@ RunRecord record_from(const json& line) {
   r.mse = number(line, "mse");
   r.mse_trimmed = number(line, "mse_trimmed");
   r.relmse = number(line, "relmse");
+  if (line.contains("mse_coarse")) r.mse_coarse = number(line, "mse_coarse");
   r.rays = line.at("rays").get<std::uint64_t>();
   r.device_seconds = number(line, "device_seconds");
   r.wall_seconds = number(line, "wall_seconds");
@@ -50,6 +51,7 @@ json to_json(const RunRecord& r) {
           {"mse", r.mse},
           {"mse_trimmed", r.mse_trimmed},
           {"relmse", r.relmse},
+          {"mse_coarse", r.mse_coarse},
           {"rays", r.rays},
           {"device_seconds", r.device_seconds},
           {"wall_seconds", r.wall_seconds},

@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "base/progress.h"
 #include "image/compare.h"
+#include "study/coarse.h"
 
 namespace capcon {
 namespace fs = std::filesystem;
@@ -33,30 +34,37 @@ double device_seconds(const Timings& timings) {
          stage(timings.wall, "compile");
 }
 
-RunRecord measure(const PlannedRun& run, const StudySettings& settings, const RenderJob& render,
-                  const ReferenceImage& reference) {
+/// What was measured, and its image.
+struct Measured {
+  RunRecord record;
+  Image image;
+};
+
+Measured measure(const PlannedRun& run, const StudySettings& settings, const RenderJob& render,
+                 const ReferenceImage& reference) {
   const auto start = std::chrono::steady_clock::now();
-  const RenderResult result = render(make_job(settings, run));
+  RenderResult result = render(make_job(settings, run));
   const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - start;
   const Comparison error = compare(result.image, reference.image);
   if (error.non_finite > 0) {
     throw Failure(
-        fmt::format("{} of the pixels rendered with {} at {} samples are not finite numbers; render it with "
+        fmt::format("{} of the pixels rendered with {} at {} {} are not finite numbers; render it with "
                     "--device reference to compare",
-                    error.non_finite, run.sampler, run.samples));
+                    error.non_finite, run.sampler, run.samples, words_of(settings.integral).many));
   }
   RunRecord record;
   record.run = run;
   record.mse = error.mse;
   record.mse_trimmed = error.mse_trimmed;
   record.relmse = error.relmse;
+  record.mse_coarse = coarse_mse(result.image, reference.image);
   record.rays = result.rays;
   record.device_seconds = device_seconds(result.timings);
   record.wall_seconds = std::max(0.0, whole.count() - stage(result.timings.wall, "compile"));
   record.point_generation_seconds = stage(result.timings.wall, "points");
   record.timings = result.timings;
   record.device = result.device;
-  return record;
+  return {std::move(record), std::move(result.image)};
 }
 
 void create_folder(const fs::path& folder) {
@@ -68,6 +76,10 @@ void create_folder(const fs::path& folder) {
 }
 
 }  // namespace
+
+RunImages run_images(const fs::path& directory, const std::string& hash) {
+  return {directory / "images", hash};
+}
 
 StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
                       const RunnerOptions& options) {
@@ -115,20 +127,26 @@ StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
     write_reference(reference_path, result.reference, settings, hash);
   }
 
+  std::optional<RunImages> images;
+  if (keeps_images(settings.integral)) images = run_images(options.directory, hash);
   std::set<std::string> warm;  // kernels are compiled on first use: a render that does not count comes before
   for (const PlannedRun& run : plan) {
     if (const RunRecord* finished = log.find(run)) {
       result.records.push_back(*finished);
       ++result.resumed;
+      // The same input gives the same bits: an image that was removed comes again, and nothing is timed.
+      if (images && !images->read(run)) images->write(run, device.render(make_job(settings, run)).image);
       done += run.samples + kCostOfARender;
       continue;
     }
     if (warm.insert(run.sampler).second)
       device.render(make_job(settings, {run.sampler, settings.samples.front(), 0}));
-    RunRecord record = measure(run, settings, device.render, result.reference);
-    log.append(record);
-    result.records.push_back(std::move(record));
-    step(run.samples, fmt::format("{} at {} samples, seed {}", run.sampler, run.samples, run.seed));
+    Measured measured = measure(run, settings, device.render, result.reference);
+    if (images) images->write(run, measured.image);  // first: a line in runs.jsonl has its image
+    log.append(measured.record);
+    result.records.push_back(std::move(measured.record));
+    step(run.samples, fmt::format("{} at {} {}, seed {}", run.sampler, run.samples,
+                                  words_of(settings.integral).many, run.seed));
   }
   return result;
 }

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "study/reference_image.h"
+#include "study/run_images.h"
 #include "study/run_record.h"
 
 namespace capcon {
@@ -46,6 +47,9 @@ struct StudyResult {
   std::size_t resumed = 0;         ///< how many of them were there before
   std::filesystem::path moved;     ///< where older runs with other settings were put, if there were any
 };
+
+/// The images of a study's runs, kept where keeps_images().
+RunImages run_images(const std::filesystem::path& directory, const std::string& hash);
 
 /// Makes reference.exr and runs.jsonl in options.directory (it is created), or goes on with those that are
 /// there.

@@ -10,6 +10,10 @@ StudyReport study_report(const StudySettings& settings, const MakeStudyDevice& m
   StudyReport report;
   report.result = run_study(settings, make_device(settings.width, settings.height), options);
   report.figures = make_figures(report.result);
+  if (keeps_images(settings.integral)) {
+    const std::string hash = settings_hash(settings, report.result.device);
+    report.figures.noise = make_noise(report.result, run_images(options.directory, hash));
+  }
   report.json = to_json(report.result, report.figures);
   if (explanation) report.json["explanation"] = to_json(*explanation);
   write_file(options.directory / "study.json", report.json.dump(2) + "\n");

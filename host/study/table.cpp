@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <functional>
 
+#include "study/coarse.h"
 #include "study/findings.h"
 #include "study/format.h"
 
@@ -41,7 +45,7 @@ class Grid {
 
 std::string mse_table(const StudyResult& result, const Figures& figures) {
   Grid grid;
-  std::vector<std::string> head = {"samples"};
+  std::vector<std::string> head = {std::string(words_of(result.settings.integral).many)};
   for (const Curve& curve : figures.curves) head.push_back(curve.sampler);
   grid.row(head);
   for (const std::uint32_t n : result.settings.samples) {
@@ -95,6 +99,40 @@ std::string ratio_table(const StudyResult& result, const Figures& figures, const
   return grid.str();
 }
 
+/// A figure of every cell of noise.
+std::string noise_grid(const StudyResult& result, const Noise& noise,
+                       const std::function<std::string(const NoiseCell&)>& figure) {
+  Grid grid;
+  std::vector<std::string> head = {std::string(words_of(result.settings.integral).many)};
+  head.insert(head.end(), result.settings.samplers.begin(), result.settings.samplers.end());
+  grid.row(head);
+  for (const std::uint32_t n : result.settings.samples) {
+    std::vector<std::string> row = {count_label(result.settings, n)};
+    for (const std::string& sampler : result.settings.samplers) {
+      const NoiseCell* cell = noise.cell(sampler, n);
+      row.push_back(cell ? figure(*cell) : "–");
+    }
+    grid.row(row);
+  }
+  return grid.str();
+}
+
+std::string noise_tables(const StudyResult& result, const Noise& noise) {
+  return fmt::format(
+             "Standard deviation over seeds; error of their mean / what chance alone makes of it (root mean "
+             "squares)\n\n{}\n",
+             noise_grid(result, noise,
+                        [](const NoiseCell& c) {
+                          return fmt::format("{}; {} / {}", scientific(c.deviation.value),
+                                             scientific(c.mean_error), scientific(c.chance));
+                        })) +
+         fmt::format(
+             "Share of the squared error that a box filter of {} x {} pixels leaves; {} of independent "
+             "errors\n\n{}\n",
+             kCoarseBlock, kCoarseBlock, short_number(noise.coarse_by_chance),
+             noise_grid(result, noise, [](const NoiseCell& c) { return with_range(c.coarse); }));
+}
+
 }  // namespace
 
 std::string text_tables(const StudyResult& result, const Figures& figures) {
@@ -105,14 +143,18 @@ std::string text_tables(const StudyResult& result, const Figures& figures) {
       mse_table(result, figures));
   const bool counts_work = result.settings.integral != Integral::splitting;  // all splits are the same work
   const std::vector<std::string> baselines = counts_work ? figures.baselines : std::vector<std::string>();
+  std::string units(words_of(result.settings.integral).many);
+  units[0] = static_cast<char>(std::toupper(units[0]));
   for (const std::string& baseline : baselines) {
-    text += fmt::format("Samples needed for the error of {}\n\n{}\n", baseline,
+    text += fmt::format("{} needed for the error of {}\n\n{}\n", units, baseline,
                         ratio_table(result, figures, baseline, false));
   }
   for (const std::string& baseline : baselines) {
-    text += fmt::format("Error beside {}'s, in the device seconds that its samples take\n\n{}\n", baseline,
-                        ratio_table(result, figures, baseline, true));
+    text +=
+        fmt::format("Error beside {}'s, in the device seconds that its {} take\n\n{}\n", baseline,
+                    words_of(result.settings.integral).many, ratio_table(result, figures, baseline, true));
   }
+  if (!figures.noise.cells.empty()) text += noise_tables(result, figures.noise);
   for (const std::string& finding : make_findings(result.settings, figures)) text += finding + '\n';
   return text;
 }
