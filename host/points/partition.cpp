@@ -3,145 +3,115 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "base/parallel.h"
+#include "points/subset_distances.h"
 
 namespace capcon {
 namespace {
 
 constexpr int kMostPasses = 100;
-// Nearest neighbours kept a point, times the number of subsets: one of each subset is almost always among
-// them.
-constexpr std::uint32_t kListed = 8;
 
-double distance(glm::dvec2 a, glm::dvec2 b) {
-  return std::hypot(std::remainder(a.x - b.x, 1.0), std::remainder(a.y - b.y, 1.0));
+/// Labels 0 1 2 ... k-1 0 1 ... in an order by hash.
+std::vector<std::uint32_t> dealt_labels(std::size_t points, const PartitionOptions& options) {
+  std::vector<std::uint32_t> order(points), labels(points);
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(mix64(options.seed, 0, a), a) < std::pair(mix64(options.seed, 0, b), b);
+  });
+  for (std::size_t k = 0; k < order.size(); ++k)
+    labels[order[k]] = static_cast<std::uint32_t>(k % options.subsets);
+  return labels;
 }
 
 class Partition {
  public:
   Partition(const Points& points, const PartitionOptions& options)
-      : points_(points),
+      : n_(static_cast<std::uint32_t>(points.size())),
         subsets_(options.subsets),
-        listed_(std::min<std::size_t>(points.size() - 1, std::size_t(kListed) * options.subsets)) {
-    list_neighbours();
-    deal_labels(options.seed);
+        distances_(points, dealt_labels(points.size(), options), options.subsets),
+        own_(n_),
+        members_(subsets_),
+        most_(std::size_t(subsets_) * subsets_),
+        known_(most_.size()) {
+    for (std::uint32_t i = 0; i < n_; ++i) {
+      own_[i] = distances_.first(i, label(i));
+      members_[label(i)].push_back(i);
+    }
   }
 
   std::vector<std::uint32_t> run() {
-    if (subsets_ > 1) {
-      look_up_all();
-      for (int pass = 0; pass < kMostPasses && trade_all(); ++pass) {
-      }
+    for (int pass = 0; pass < kMostPasses && trade_all(); ++pass) {
     }
-    return std::move(labels_);
+    return distances_.labels();
   }
 
  private:
-  struct Neighbour {
-    std::uint32_t point;
-    double distance;
-  };
+  std::uint32_t label(std::uint32_t i) const { return distances_.labels()[i]; }
 
-  void list_neighbours() {
-    neighbours_.resize(points_.size() * listed_);
-    parallel_for(
-        points_.size(),
-        [&](std::size_t i) {
-          std::vector<Neighbour> all;
-          all.reserve(points_.size());
-          for (std::uint32_t j = 0; j < points_.size(); ++j) {
-            if (j != i) all.push_back({j, distance(points_[i], points_[j])});
-          }
-          const auto nearer = [](const Neighbour& a, const Neighbour& b) {
-            return std::pair(a.distance, a.point) < std::pair(b.distance, b.point);
-          };
-          std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(listed_), all.end(),
-                            nearer);
-          std::copy_n(all.begin(), listed_, neighbours_.begin() + static_cast<std::ptrdiff_t>(i * listed_));
-        },
-        16);
-  }
-
-  /// Labels 0 1 2 ... k-1 0 1 ... in an order by hash.
-  void deal_labels(std::uint64_t seed) {
-    std::vector<std::uint32_t> order(points_.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::pair(mix64(seed, 0, a), a) < std::pair(mix64(seed, 0, b), b);
-    });
-    labels_.resize(points_.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-      labels_[order[k]] = static_cast<std::uint32_t>(k % subsets_);
-  }
-
-  /// The two nearest points of a subset in a point's list.
-  struct Nearest {
-    double first, second;  ///< beyond the list: the farthest listed distance, a lower bound
-    std::uint32_t point;   ///< the first's; the point itself where none is listed
-  };
-
-  void look_up(std::uint32_t i, std::uint32_t label) {
-    const Neighbour* list = &neighbours_[i * listed_];
-    const double last = list[listed_ - 1].distance;
-    Nearest& nearest = nearest_[std::size_t(i) * subsets_ + label];
-    nearest = {last, last, i};
-    for (std::size_t k = 0; k < listed_; ++k) {
-      if (labels_[list[k].point] != label) continue;
-      if (nearest.point != i) {
-        nearest.second = list[k].distance;
-        break;
-      }
-      nearest.first = list[k].distance;
-      nearest.point = list[k].point;
-    }
-  }
-
-  void look_up_all() {
-    nearest_.resize(points_.size() * subsets_);
-    listed_by_.resize(points_.size());
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      for (std::uint32_t label = 0; label < subsets_; ++label) look_up(i, label);
-      for (std::size_t k = 0; k < listed_; ++k) listed_by_[neighbours_[i * listed_ + k].point].push_back(i);
-    }
-  }
-
-  /// Distance from point i to the nearest point of a subset other than itself and `without`.
-  double nearest(std::uint32_t i, std::uint32_t label, std::uint32_t without) const {
-    const Nearest& nearest = nearest_[std::size_t(i) * subsets_ + label];
-    return nearest.point == without ? nearest.second : nearest.first;
+  /// Of the sum over both points.
+  double gain(std::uint32_t x, std::uint32_t y) const {
+    return distances_.first_without(y, label(x), x) + distances_.first_without(x, label(y), y) - own_[x] -
+           own_[y];
   }
 
   void trade(std::uint32_t x, std::uint32_t y) {
-    std::swap(labels_[x], labels_[y]);
-    for (const std::uint32_t moved : {x, y}) {
-      for (const std::uint32_t i : listed_by_[moved]) {
-        look_up(i, labels_[x]);
-        look_up(i, labels_[y]);
-      }
+    const std::uint32_t a = label(x), b = label(y);
+    distances_.trade(x, y);
+    std::replace(members_[a].begin(), members_[a].end(), x, y);
+    std::replace(members_[b].begin(), members_[b].end(), y, x);
+    for (const std::uint32_t changed : {a, b}) {
+      for (const std::uint32_t i : members_[changed]) own_[i] = distances_.first(i, changed);
+      for (std::uint32_t other = 0; other < subsets_; ++other)
+        known_[changed * subsets_ + other] = known_[other * subsets_ + changed] = 0;
     }
+  }
+
+  /// The most that a point of subset b gains itself by going to subset a.
+  double most_to_gain(std::uint32_t a, std::uint32_t b) {
+    const std::size_t pair = std::size_t(a) * subsets_ + b;
+    if (known_[pair] == 0) {
+      double most = -std::numeric_limits<double>::infinity();
+      for (const std::uint32_t y : members_[b]) most = std::max(most, distances_.first(y, a) - own_[y]);
+      most_[pair] = most;
+      known_[pair] = 1;
+    }
+    return most_[pair];
+  }
+
+  /// Whether certainly no trade of point x gains: so it is for most points in most passes, and this tells
+  /// without a look at all others. A pair gains what each gains alone, but for a point whose nearest in the
+  /// other's subset is the other.
+  bool gains_nothing(std::uint32_t x) {
+    constexpr double kLeast = -1e-9;  // rounding lies between
+    const std::uint32_t a = label(x);
+    for (std::uint32_t b = 0; b < subsets_; ++b) {
+      if (b == a) continue;
+      if (most_to_gain(a, b) + distances_.first(x, b) - own_[x] > kLeast) return false;
+      const std::uint32_t nearest = distances_.nearest(x, b);
+      if (nearest != x && gain(x, nearest) > kLeast) return false;
+    }
+    for (const auto& [y, distance] : distances_.listed_by(x)) {
+      if (label(y) != a && distances_.nearest(y, a) == x && gain(x, y) > kLeast) return false;
+    }
+    return true;
   }
 
   /// Every point trades with the partner that raises the sum most, if any does. Returns whether anything was
   /// traded.
   bool trade_all() {
     bool traded = false;
-    for (std::uint32_t x = 0; x < points_.size(); ++x) {
-      const std::uint32_t a = labels_[x];
-      const double here = nearest(x, a, x);
+    for (std::uint32_t x = 0; x < n_; ++x) {
+      if (gains_nothing(x)) continue;
       double best_gain = 1e-12;
       std::uint32_t best = x;
-      for (std::uint32_t y = 0; y < points_.size(); ++y) {
-        const std::uint32_t b = labels_[y];
-        if (b == a) continue;
-        const double gain = nearest(y, a, x) + nearest(x, b, y) - here - nearest(y, b, y);
-        if (gain > best_gain) {
-          best_gain = gain;
+      for (std::uint32_t y = 0; y < n_; ++y) {
+        if (label(y) == label(x)) continue;
+        if (const double g = gain(x, y); g > best_gain) {
+          best_gain = g;
           best = y;
         }
       }
@@ -153,13 +123,12 @@ class Partition {
     return traded;
   }
 
-  const Points& points_;
-  std::uint32_t subsets_;
-  std::size_t listed_;
-  std::vector<Neighbour> neighbours_;
-  std::vector<std::vector<std::uint32_t>> listed_by_;
-  std::vector<Nearest> nearest_;  ///< [point * subsets + label]
-  std::vector<std::uint32_t> labels_;
+  std::uint32_t n_, subsets_;
+  SubsetDistances distances_;
+  std::vector<double> own_;  ///< [point]: to the nearest of its own subset
+  std::vector<std::vector<std::uint32_t>> members_;
+  std::vector<double> most_;  ///< [a * subsets + b]: most_to_gain, where known_
+  std::vector<char> known_;
 };
 
 }  // namespace
@@ -168,7 +137,7 @@ std::vector<std::uint32_t> partition(const Points& points, const PartitionOption
   if (options.subsets == 0 || options.subsets > points.size()) {
     throw InputError(fmt::format("{} points cannot be cut into {} subsets", points.size(), options.subsets));
   }
-  if (points.size() == 1) return {0};
+  if (points.size() == 1 || options.subsets == 1) return std::vector<std::uint32_t>(points.size());
   return Partition(points, options).run();
 }
 
