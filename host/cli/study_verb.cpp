@@ -99,7 +99,7 @@ void check_samplers(StudySettings& s) {
     s.samplers = s.integral == Integral::splitting
                      ? std::vector<std::string>{"capcon",        "capcon-naive", "capcon-naive2",
                                                 "capcon-domain", "sobol-xor",    "sobol-owen"}
-                     : sampler_names();
+                     : default_study_samplers();
   }
   for (std::size_t i = 0; i < s.samplers.size(); ++i) {
     const std::string& name = s.samplers[i];
@@ -204,7 +204,8 @@ void add_options(CLI::App* study, const std::shared_ptr<Options>& o) {
 void add_samples(CLI::App* study, const std::shared_ptr<Options>& o) {
   study
       ->add_option("--samplers", o->settings.samplers,
-                   "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain (default: all)")
+                   "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton (default: all but "
+                   "the last two)")
       ->delimiter(',')
       ->allow_extra_args(false);
   study->add_option("--samples", o->samples, "samples a pixel: counts and doubling ranges")

@@ -27,7 +27,9 @@ const std::vector<std::pair<std::string, Maker>>& makers() {
       {"sobol-owen", make_sobol_owen_sampler},
       {"ccvt", make_ccvt_sampler},
       {"capcon", make_capcon_sampler},
-      {"capcon-domain", make_capcon_domain_sampler}};
+      {"capcon-domain", make_capcon_domain_sampler},
+      {"fpo", make_fpo_sampler},
+      {"halton", make_halton_sampler}};
   return all;
 }
 }  // namespace
@@ -44,6 +46,12 @@ const std::vector<std::string>& sampler_names() {
     for (const auto& [name, maker] : makers()) all.push_back(name);
     return all;
   }();
+  return names;
+}
+
+const std::vector<std::string>& default_study_samplers() {
+  static const std::vector<std::string> names = {"random", "jittered", "sobol-xor",    "sobol-owen",
+                                                 "ccvt",   "capcon",   "capcon-domain"};
   return names;
 }
 

@@ -78,11 +78,15 @@ class Sampler {
   std::uint32_t seed_;
 };
 
-/// Names that make_sampler knows: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain.
+/// Names that make_sampler knows: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton.
 const std::vector<std::string>& sampler_names();
 
-/// A sampler for sets of `count` points in `parts` parts of the same size. Point generation (ccvt) happens
-/// here. InputError for an unknown name, and where parts do not divide count.
+/// Those that studies of ambient occlusion and of direct lighting compare unless told otherwise: all but fpo
+/// and halton, whose sets are shifted like ccvt's and which are there for comparison with the literature.
+const std::vector<std::string>& default_study_samplers();
+
+/// A sampler for sets of `count` points in `parts` parts of the same size. Point generation (ccvt, fpo)
+/// happens here. InputError for an unknown name, and where parts do not divide count.
 std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count, std::uint32_t seed,
                                       std::uint32_t parts = 1);
 

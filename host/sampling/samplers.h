@@ -19,6 +19,10 @@ std::unique_ptr<Sampler> make_sobol_owen_sampler(std::uint32_t count, std::uint3
                                                  std::uint32_t parts);
 /// One untiled capacity-constrained set of `count` points, with a Cranley-Patterson rotation a set.
 std::unique_ptr<Sampler> make_ccvt_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
+/// One untiled set by farthest-point optimisation, turned and cut like ccvt's.
+std::unique_ptr<Sampler> make_fpo_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
+/// The Halton sequence in bases 2 and 3, turned like ccvt's; parts are successive points.
+std::unique_ptr<Sampler> make_halton_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 /// The shipped corner tiles: a stochastic toroidal tiling and a rotation a set.
 std::unique_ptr<Sampler> make_capcon_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 

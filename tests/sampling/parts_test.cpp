@@ -33,7 +33,7 @@ TEST(Parts, TheUnionIsTheSet) {
   };
   for (const Case c : {Case{16, 4}, Case{64, 16}, Case{50, 5}, Case{106, 2}, Case{128, 8}, Case{96, 6},
                        Case{160, 32}, Case{256, 64}}) {
-    for (const char* name : {"ccvt", "capcon", "capcon-domain"}) {
+    for (const char* name : {"ccvt", "fpo", "halton", "capcon", "capcon-domain"}) {
       if (c.count == 106 || c.count == 160) {
         if (std::string(name) == "capcon-domain") continue;  // not shipped: seconds
       }
@@ -71,6 +71,7 @@ TEST(Parts, OfTilesAndCcvtSetsAreSpread) {
   };
   for (const Case c :
        {Case{"ccvt", 16, 4, 0.83, 0.80}, Case{"ccvt", 64, 8, 0.80, 0.74}, Case{"ccvt", 1024, 8, 0.80, 0.79},
+        Case{"fpo", 16, 4, 0.83, 0.80}, Case{"fpo", 512, 4, 0.80, 0.79}, Case{"halton", 512, 4, 0.60, 0.58},
         Case{"capcon", 16, 2, 0.71, 0.68}, Case{"capcon", 16, 4, 0.87, 0.84},
         Case{"capcon", 16, 8, 0.78, 0.64}, Case{"capcon", 64, 2, 0.72, 0.70},
         Case{"capcon", 64, 4, 0.79, 0.75}, Case{"capcon", 64, 8, 0.79, 0.73},

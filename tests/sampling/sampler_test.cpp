@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -179,6 +180,32 @@ TEST(Sampler, TiledSetsOfAnySizeAreEven) {
   double full = 0;
   for (std::uint32_t pixel = 0; pixel < 50; ++pixel) full += mean_spacing(set_of(*sampler, pixel, 0)) / 50;
   EXPECT_GT(full, 0.83);  // whole tiles
+}
+
+// A block of 2^a 3^b successive points has one in each of its 2^a x 3^b boxes, wherever in the sequence it begins.
+TEST(Sampler, HaltonPartsHaveOnePointABox) {
+  const auto sampler = make_sampler("halton", 6 * 144, 3, 6);  // 144 = 2^4 3^2
+  const auto origin = sampler->sample(8, 0, 0);                // the sequence begins at 0: this is the shift
+  for (std::uint32_t part = 0; part < 6; ++part) {
+    std::set<std::pair<int, int>> boxes;
+    for (std::uint32_t i = 0; i < 144; ++i) {
+      const FixedPoint p = sampler->sample(8, 144 * part + i, 0);
+      // Radical inverses in base 3 are rounded down to 2^-32: a unit keeps them in their box.
+      boxes.insert({int((p.x - origin.x) * 0x1p-32 * 16), int((p.y - origin.y + 1.0) * 0x1p-32 * 9)});
+    }
+    EXPECT_EQ(boxes.size(), 144u) << part;
+  }
+}
+
+// Schloemer, Heck and Deussen give 0.93 for the mean distance of whole sets.
+TEST(Sampler, FarthestPointSetsAreSpread) {
+  EXPECT_GT(mean_spacing(set_of(*make_sampler("fpo", 128, 3), 2, 0)), 0.92);
+}
+
+TEST(Sampler, StudiesCompareKnownSamplers) {
+  for (const std::string& name : default_study_samplers())
+    EXPECT_TRUE(std::ranges::count(sampler_names(), name) == 1) << name;
+  EXPECT_EQ(default_study_samplers().size(), 7u);
 }
 
 }  // namespace

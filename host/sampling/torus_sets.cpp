@@ -1,0 +1,42 @@
+#include "points/ccvt.h"
+#include "points/fpo.h"
+#include "points/sobol.h"
+#include "sampling/rotated_set.h"
+#include "sampling/samplers.h"
+
+namespace capcon {
+namespace {
+
+// More space points a site change the integration error by less than 3 % (design measurements: K = 256
+// against 1024).
+constexpr std::uint32_t kCapacity = 256;
+
+}  // namespace
+
+std::unique_ptr<Sampler> make_ccvt_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts) {
+  CcvtOptions options;
+  options.sites = count;
+  options.capacity = kCapacity;
+  options.seed = seed;
+  Points points = ccvt(options).points;
+  if (parts > 1) points = part_by_part(points, parts);
+  return make_rotated_set_sampler("ccvt", points, seed, parts);
+}
+
+std::unique_ptr<Sampler> make_fpo_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts) {
+  Points points = fpo({.n = count, .seed = seed});
+  if (parts > 1) points = part_by_part(points, parts);
+  return make_rotated_set_sampler("fpo", points, seed, parts);
+}
+
+std::unique_ptr<Sampler> make_halton_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts) {
+  // The plain sequence: the shift makes it unbiased already. With random digit permutations it errs the same
+  // at edges, 1.3 to 1.6 times as much on smooth integrands, and its points come closer to each other
+  // (docs/points.md).
+  Points points;
+  points.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) points.emplace_back(radical_inverse(i, 2), radical_inverse(i, 3));
+  return make_rotated_set_sampler("halton", points, seed, parts);
+}
+
+}  // namespace capcon
