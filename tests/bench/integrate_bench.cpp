@@ -3,6 +3,8 @@
 //   integrate_bench parts [trials] [samplers...]  parts of trajectory splitting: their spacing, their error
 //                                                 beside whole sets of as many points, and that of their
 //                                                 union beside as many independent sets
+//   integrate_bench paths [trials] [samplers...]  parts of 128 points, as light paths take, and their union:
+//                                                 MSE beside Owen-scrambled parts and their union
 
 #include <fmt/format.h>
 
@@ -138,6 +140,25 @@ void compare_parts(std::size_t trials, const std::vector<std::string>& samplers)
   }
 }
 
+void compare_paths(std::size_t trials, const std::vector<std::string>& samplers) {
+  const auto all = families({"edge-on-disk", "blocker", "leaves", "smooth-disk", "half-plane", "smooth"});
+  for (const std::uint32_t parts : {4u, 16u, 32u}) {
+    const std::uint32_t count = 128 * parts;
+    const auto owen = make_sampler("sobol-owen", count, 1, parts);
+    std::map<std::string, Errors> base;
+    for (const Family& f : all) base[f.integrand->name] = errors_of(*owen, f, trials);
+    for (const std::string& name : samplers) {
+      const auto sampler = make_sampler(name, count, 1, parts);
+      fmt::print("{:4} = {:2} x 128 {:14} part, union:", count, parts, name);
+      for (const Family& f : all) {
+        const Errors e = errors_of(*sampler, f, trials), &b = base[f.integrand->name];
+        fmt::print("  {} {:.2f} {:.2f}", f.integrand->name, e.part / b.part, e.whole / b.whole);
+      }
+      fmt::print("\n");
+    }
+  }
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -147,6 +168,9 @@ int main(int count, char** words) {
   if (what == "parts") {
     if (samplers.empty()) samplers = sampler_names();
     compare_parts(trials, samplers);
+  } else if (what == "paths") {
+    if (samplers.empty()) samplers = sampler_names();
+    compare_paths(trials, samplers);
   } else {
     if (samplers.empty()) samplers = {"capcon-domain"};
     compare_sets(trials, samplers);
