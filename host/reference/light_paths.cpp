@@ -22,7 +22,7 @@ constexpr double kMostLikely = 63.0 / 64;
 
 // Dimension pairs. The bounce, 0 at the light, stands in for a pixel.
 constexpr std::uint32_t kOriginPair = 0, kEmissionPair = 1;
-constexpr std::uint32_t kDirectionPair = 0, kGoingOnPair = 1;
+constexpr std::uint32_t kGoingOnPair = 1, kDirectionPair = 3;  // pair 0 has the same order at every bounce
 
 /// Where a path goes on from a hit, and what becomes of its flux, all kinds of chance but going on included.
 struct Scattered {
