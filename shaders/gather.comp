@@ -44,6 +44,11 @@ void main() {
   float d2 = max(dot(d, d), 1e-30);
   float reach = sqrt(d2);
   vec3 w = d / reach;
+  // Seen from behind, a two-sided one is as if its path had come from there.
+  bool behind = push.two_sided != 0u && dot(w, normal) > 0.0;
+  a = behind ? a - 2.0 * dot(a, normal) * normal : a;
+  normal = behind ? -normal : normal;
+  shading_normal = behind ? -shading_normal : shading_normal;
   float below = -dot(w, normal);
   vec3 there_normal = dot(shading_normal, w) < 0.0 ? shading_normal : normal;
   vec3 i = from_frame(w, s.ns), o = from_frame(s.wo, s.ns);

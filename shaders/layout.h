@@ -44,7 +44,8 @@ CAPCON_CONST kPairLights = 3u;     // + j: light j (Y_j)
 // Of light paths (docs/igi.md), with the bounce in place of a pixel.
 CAPCON_CONST kPairOrigin = 0u;     // bounce 0
 CAPCON_CONST kPairEmission = 1u;   // bounce 0: direction
-CAPCON_CONST kPairGoingOn = 1u;    // later bounces; directions: kPairIntegrand
+CAPCON_CONST kPairGoingOn = 1u;    // later bounces
+CAPCON_CONST kPairBounce = 3u;     // later bounces: direction; not pair 0, whose points are in the same order at every bounce
 // Of compensation rays from surfaces that are no pixel's.
 CAPCON_CONST kPairOnwards = 1u;    // direction; its component: y of kPairComponent
 CAPCON_CONST kPairEnd = 65535u;    // whether it goes on
@@ -261,7 +262,8 @@ struct GatherConstants {
   uint row;
   uint across;
   uint width;
-  uint pad0, pad1, pad2;
+  uint two_sided;     // 1: virtual lights shine to both sides
+  uint pad0, pad1;
 };
 
 // compensation.comp

@@ -33,7 +33,7 @@ void main() {
   // Where it goes on. f is the path tracer's that comes from there; a shading normal on the wrong side of it gives way.
   uint set = at / max(push.split.y, 1u);
   uint index = at - set * push.split.y;
-  vec2 u = unit_floats(path_point(set, index, push.bounce, kPairIntegrand, kDomainDisk));
+  vec2 u = unit_floats(path_point(set, index, push.bounce, kPairBounce, kDomainDisk));
   float choice = has(kMicrofacets) ? path_choice(set, index, push.bounce) : 0.0;
   float end = unit_floats(path_point(set, index, push.bounce, kPairGoingOn, kDomainSquare)).x;
   uint material = h.seen ? h.details.material : 0u;

@@ -108,6 +108,8 @@ void JobOptions::add_global_illumination(CLI::App& verb) {
                   "igi: interleaved sampling: pixels of KxK have sets of their own (K^2 divides --sets)")
       ->capture_default_str()
       ->check(CLI::Range(1u, 64u));
+  verb.add_flag("--two-sided", two_sided,
+                "igi: virtual lights shine to both sides, as pbrt-v2's: light leaks through thin walls");
   verb.add_flag("--indirect", indirect, "igi, path: leave out what comes straight from lights");
 }
 
@@ -123,10 +125,12 @@ void JobOptions::check() const {
     throw InputError("--filter gaussian places image samples: it goes with --pixel-samples jittered");
   const JobOptions usual;
   const bool global = !path_sampler.empty() || clamping != usual.clamping || paths != usual.paths ||
-                      sets != usual.sets || gather != usual.gather || block != usual.block || limit != 0;
+                      sets != usual.sets || gather != usual.gather || block != usual.block || limit != 0 ||
+                      two_sided;
   if (integrator != "igi" && global) {
     throw InputError(
-        "--paths, --sets, --path-sampler, --clamping, --limit, --gather and --block are for --integrator "
+        "--paths, --sets, --path-sampler, --clamping, --limit, --gather, --block and --two-sided are for "
+        "--integrator "
         "igi");
   }
   if (indirect && integrator != "igi" && integrator != "path")
@@ -160,6 +164,7 @@ GlobalIlluminationJob JobOptions::global_illumination_job() const {
   job.gather = gather;
   job.block = block;
   job.only_indirect = indirect;
+  job.two_sided = two_sided;
   check_job(job);
   return job;
 }
@@ -182,9 +187,9 @@ std::uint32_t JobOptions::samples_a_pixel() const {
 }
 
 std::string JobOptions::key() const {
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", integrator, sampler, samples,
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", integrator, sampler, samples,
                      split, seed, radius, position, filter, strategy, no_partition, path_sampler, clamping,
-                     paths, sets, limit, gather, block, indirect);
+                     paths, sets, limit, gather, block, indirect, two_sided);
 }
 
 void describe(const JobOptions& o, Attributes& a) {
@@ -207,6 +212,7 @@ void describe(const JobOptions& o, Attributes& a) {
     a["geometryLimit"] = static_cast<float>(o.limit);
     a["gatherRays"] = static_cast<int>(o.gather);
     a["block"] = static_cast<int>(o.block);
+    if (o.two_sided) a["virtualLights"] = "two-sided";
   }
   a["split"] = o.split.empty() ? fmt::format("1x{}", o.samples) : o.split;
   a["strategy"] = o.strategy;
@@ -235,6 +241,7 @@ void describe(const JobOptions& o, nlohmann::ordered_json& json) {
         o.limit > 0 ? nlohmann::ordered_json(o.limit) : nlohmann::ordered_json("by the scene's size");
     json["gather"] = o.gather;
     json["block"] = o.block;
+    if (o.two_sided) json["virtual_lights"] = "two-sided";
   }
   json["split"] = o.split.empty() ? fmt::format("1x{}", o.samples) : o.split;
   json["strategy"] = o.strategy;

@@ -19,7 +19,7 @@ struct JobOptions {
   std::string path_sampler, clamping = "compensate";  ///< igi; no sampler: that of the pixel
   std::uint32_t paths = 128, sets = 4, gather = 4, block = 1;
   double limit = 0;
-  bool indirect = false;
+  bool indirect = false, two_sided = false;
 
   void add_to(CLI::App& verb);
   /// Checked: InputError for what does not go together.

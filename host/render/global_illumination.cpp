@@ -135,6 +135,7 @@ class GlobalIlluminationPass : public DirectLightingPass {
     layout::GatherConstants push{};
     push.tree = s_.tree;
     push.eye = with_word(s_.view.eye, 0u);
+    push.two_sided = igi_.two_sided ? 1 : 0;
     const std::uint32_t end = work.first_pixel + work.pixel_count;
     for (; work.first_pixel < end; work.first_pixel += piece) {
       work.pixel_count = std::min(piece, end - work.first_pixel);

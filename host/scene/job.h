@@ -83,6 +83,9 @@ struct GlobalIlluminationJob {
   std::uint32_t gather = 4;    ///< compensation rays for each set that an image sample uses, >= 1
   std::uint32_t block = 1;     ///< interleaved sampling: pixels of block x block have sets of their own
   bool only_indirect = false;  ///< leave out what comes straight from lights
+  /// VPLs shine to both sides of their surface, as those of pbrt-v2 do, so that light leaks through thin
+  /// walls: for comparisons with it.
+  bool two_sided = false;
 
   /// Sets that a pixel uses.
   std::uint32_t sets_a_pixel() const { return sets / (block * block); }
