@@ -37,8 +37,11 @@ std::optional<Scattered> scatter(const VirtualLight& y, const Bsdf& bsdf, const 
   const dvec3 from = frame.to_local(a);
   const std::optional<dvec3> local = bsdf.sample(from, point, choice);
   if (!local) return {};
-  const dvec3 direction = glm::normalize(frame.to_world(*local));
+  dvec3 direction = glm::normalize(frame.to_world(*local));
   const double pdf = bsdf.pdf(*local, from);
+  // Directions above the shading normal alone are of no use, those above the geometric one alone would never
+  // be found: they are each other's opposites.
+  if (dot(direction, y.normal) < 0) direction = -direction;
   const double leaving = dot(direction, y.normal);
   if (!(leaving > 0 && pdf > 0)) return {};
   const Frame seen(normal_seen_from(direction, y.shading_normal, y.normal));
