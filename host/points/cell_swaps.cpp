@@ -1,15 +1,10 @@
 #include "points/cell_swaps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace capcon {
 namespace {
-
-// Of the short-ranged part of the measure: it decides where half-planes leave a choice, as between all pairs
-// of two points on opposite sides of the middle.
-constexpr float kShort = 0.05f, kRange = 0.3f;
 
 class Pair {
  public:
@@ -23,11 +18,7 @@ class Pair {
     }
     for (std::uint32_t i = 0; i < m_; ++i) {
       float* row = &distance_[std::size_t(i) * m_];
-      for (std::uint32_t j = 0; j < m_; ++j) {
-        const float dx = x[i] - x[j], dy = y[i] - y[j], dz = z[i] - z[j];
-        const float d = std::sqrt(dx * dx + dy * dy + dz * dz);
-        row[j] = d + kShort * d / (kRange + d);
-      }
+      for (std::uint32_t j = 0; j < m_; ++j) row[j] = spread_distance(x[i] - x[j], y[i] - y[j], z[i] - z[j]);
       const float sign = i < n ? 1.0f : -1.0f;
       for (std::uint32_t j = 0; j < m_; ++j) lead_[j] += sign * row[j];
     }

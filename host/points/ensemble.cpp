@@ -14,15 +14,21 @@
 #include "base/parallel.h"
 #include "points/cell_swaps.h"
 #include "points/ensemble_start.h"
+#include "points/near_swaps.h"
 
 namespace capcon {
 namespace {
 
 constexpr std::uint64_t kOrderStream = 0x656e73656d, kPartStream = kOrderStream + 0x100000000;
 
+// Beyond, whole sets' tables of distances leave the processor's caches.
+constexpr std::uint32_t kMostWhole = 1024;
+
 /// Finer cells for small sets, whose errors they are a larger part of: their tables stay small.
 std::uint32_t wished_sets(const EnsembleOptions& options) {
-  return options.sets > 0 ? options.sets : std::clamp(4096 / options.points, 64u, 256u);
+  if (options.sets > 0) return options.sets;
+  if (options.points > kMostWhole) return 65536 / options.points;
+  return std::clamp(4096 / options.points, 64u, 256u);
 }
 
 /// Fisher and Yates, by hash.
@@ -113,14 +119,28 @@ glm::dvec3 in_space(EnsembleDomain domain, glm::dvec2 u) {
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
+bool can_make_ensemble(std::uint32_t points) {
+  if (points <= kMostWhole) return points > 0;
+  const std::uint32_t wished = wished_sets({.points = points});
+  return points <= kMostEnsemblePoints && sets_of_start(points, wished) <= 2 * wished;
+}
+
 Ensemble make_ensemble(const EnsembleOptions& options) {
   const std::uint32_t n = options.points;
-  if (n == 0 || n > kMostEnsemblePoints) {
+  if (!can_make_ensemble(n)) {
     throw InputError(
-        fmt::format("an ensemble has sets of 1 to {} points, and {} are asked for", kMostEnsemblePoints, n));
+        fmt::format("an ensemble has sets of 1 to {} points, beyond {} none with a large prime factor, and "
+                    "{} are asked for",
+                    kMostEnsemblePoints, kMostWhole, n));
   }
   Ensemble e = start_ensemble(n, wished_sets(options), options.seed);
   const std::vector<glm::vec3> centres = centres_of(e, options.domain);
+  if (n > kMostWhole) {
+    const double round_cost = 1.0 * e.sets * n * n;
+    swap_near(e, centres, std::max(8u, static_cast<std::uint32_t>(options.effort / round_cost)),
+              options.seed);
+    return e;
+  }
   const double meeting_cost = 4.0 * n * n;
   const auto most = static_cast<std::uint64_t>(std::max(options.effort / meeting_cost, 4.0 * e.sets));
   // A thread costs about as much.
@@ -152,7 +172,7 @@ void deal_parts(Ensemble& e, EnsembleDomain domain, std::uint32_t parts) {
   const auto n = static_cast<std::uint32_t>(e.cells.size() / e.sets), points = n / parts;
   if (parts == 1 || points == 1) return;
   const std::vector<glm::vec3> centres = centres_of(e, domain);
-  constexpr int kSweeps = 6;
+  const int sweeps = n > kMostWhole ? 4 : 6;
   parallel_for(e.sets, [&](std::size_t s) {
     // Every part begins with one of each `parts` cells that lie near each other.
     std::uint32_t* const set = &e.cells[s * n];
@@ -166,7 +186,7 @@ void deal_parts(Ensemble& e, EnsembleDomain domain, std::uint32_t parts) {
       for (std::uint32_t p = 0; p < parts; ++p) set[p * points + i] = near[i * parts + deal[p]];
     }
     bool any = true;
-    for (int sweep = 0; any && sweep < kSweeps; ++sweep) {
+    for (int sweep = 0; any && sweep < sweeps; ++sweep) {
       any = false;
       for (std::uint32_t a = 0; a < parts; ++a)
         for (std::uint32_t b = a + 1; b < parts; ++b)

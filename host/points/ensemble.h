@@ -23,14 +23,19 @@ struct Ensemble {
 };
 
 /// More take many seconds and megabytes.
-constexpr std::uint32_t kMostEnsemblePoints = 1024;
+constexpr std::uint32_t kMostEnsemblePoints = 4096;
+
+/// Whether make_ensemble makes sets of so many points: 1 to 1024; and up to kMostEnsemblePoints those numbers
+/// that a grid fits, which all multiples of 64 are. (With a large prime factor there would be many times the
+/// cells.)
+bool can_make_ensemble(std::uint32_t points);
 
 struct EnsembleOptions {
   std::uint32_t points = 16;  ///< n >= 1, of a set
   EnsembleDomain domain = EnsembleDomain::disk;
   std::uint64_t seed = 1;
-  /// How many sets are wished, 0: 256 for small sets to 64 for large ones. Finer cells err less, and tables
-  /// are larger.
+  /// How many sets are wished, 0: 256 for small sets to 64 for large ones, and beyond 1024 points as many as
+  /// make 65,536 cells. Finer cells err less, and tables are larger.
   std::uint32_t sets = 0;
   /// How long it may take: distances computed, about 1e9 a second of processor time.
   double effort = 5e8;
@@ -41,7 +46,8 @@ struct EnsembleOptions {
 /// const (Szekely and Rizzo 2013): the mean squared discrepancy over half-planes (over caps of the
 /// sphere, for the cylinder). The sum over u does not change, so that what counts is the distances within the
 /// sets. Meetings of sets that have no set in common are worked on at the same time; the result is the same
-/// for any number of threads. InputError for n = 0 or beyond kMostEnsemblePoints.
+/// for any number of threads. Beyond 1024 points only cells near each other are swapped (near_swaps.h).
+/// InputError where can_make_ensemble says no.
 Ensemble make_ensemble(const EnsembleOptions& options);
 
 /// Orders the cells of every set so that cells p * n / parts ... (p + 1) * n / parts - 1, part p, cover the

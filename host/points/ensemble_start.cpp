@@ -59,10 +59,19 @@ std::uint32_t scramble(std::uint32_t x, std::uint32_t bits, std::uint64_t seed, 
   return x ^ flips;
 }
 
-Ensemble cosets_of_a_net(std::uint32_t n, std::uint32_t wished_sets, std::uint64_t seed) {
+/// Of each side of a net's grid.
+std::uint32_t net_bits(std::uint32_t n, std::uint32_t wished_sets) {
   std::uint32_t bits = 1;
   while ((std::uint64_t(1) << (2 * bits)) < std::uint64_t(n) * wished_sets) ++bits;
-  const std::uint32_t side = 1u << bits;
+  return bits;
+}
+
+bool is_power_of_two(std::uint32_t n) {
+  return (n & (n - 1)) == 0;
+}
+
+Ensemble cosets_of_a_net(std::uint32_t n, std::uint32_t wished_sets, std::uint64_t seed) {
+  const std::uint32_t bits = net_bits(n, wished_sets), side = 1u << bits;
   Ensemble e{side, side, side * side / n, {}};
   e.cells.reserve(std::size_t(side) * side);
   std::vector<char> dealt(std::size_t(side) * side);
@@ -99,7 +108,13 @@ Ensemble blocks_of_a_curve(std::uint32_t n, std::uint32_t wished_sets, std::uint
 }  // namespace
 
 Ensemble start_ensemble(std::uint32_t n, std::uint32_t wished_sets, std::uint64_t seed) {
-  return (n & (n - 1)) == 0 ? cosets_of_a_net(n, wished_sets, seed) : blocks_of_a_curve(n, wished_sets, seed);
+  return is_power_of_two(n) ? cosets_of_a_net(n, wished_sets, seed) : blocks_of_a_curve(n, wished_sets, seed);
+}
+
+std::uint32_t sets_of_start(std::uint32_t n, std::uint32_t wished_sets) {
+  if (is_power_of_two(n)) return (1u << (2 * net_bits(n, wished_sets))) / n;
+  const Grid grid = choose_grid(n, wished_sets);
+  return grid.columns * grid.rows / n;
 }
 
 }  // namespace capcon

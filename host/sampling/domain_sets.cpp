@@ -74,8 +74,7 @@ Sets make_sets(std::uint32_t count, EnsembleDomain domain, std::uint32_t parts) 
     result.cells.push_back({border(i, e.columns), border(j, e.rows), width(i, e.columns), width(j, e.rows)});
   }
   if (parts == 1) return result;
-  Ensemble dealt = e;
-  deal_parts(dealt, domain, parts);
+  Ensemble dealt = stored_parts(e, domain, parts);
   sort_each(dealt.cells, count / parts);
   for (std::size_t k = 0; k < dealt.cells.size(); ++k) {
     const auto first = e.cells.begin() + std::ptrdiff_t(k / count * count);
@@ -169,6 +168,12 @@ std::unique_ptr<Sampler> make_capcon_domain_sampler(std::uint32_t count, std::ui
         fmt::format("the capcon-domain sampler makes sets of at most {} points, and {} are asked for; take "
                     "fewer samples, or sobol-owen",
                     kMostEnsemblePoints, count));
+  }
+  if (!can_make_ensemble(count)) {
+    throw InputError(fmt::format(
+        "the capcon-domain sampler has no grid for sets of {} points, a number with a large prime "
+        "factor; take a multiple of 64 such as {}, or sobol-owen",
+        count, (count + 63) / 64 * 64));
   }
   return std::make_unique<DomainSampler>(count, seed, parts);
 }

@@ -16,36 +16,46 @@ namespace {
 // is made anew.
 constexpr int kMaking = 1;
 
-std::filesystem::path cached_file(const EnsembleOptions& options) {
-  const std::filesystem::path folder = cache_folder();
-  if (folder.empty()) return folder;
-  return folder / fmt::format("{}-{}-{}.ensembles", domain_name(options.domain), options.points, kMaking);
-}
+// The same of the ways parts are dealt.
+constexpr int kDealing = 1;
+// Distances that dealing computes at least for its result to be kept: a tenth of a second's work.
+constexpr double kWorthKeeping = 8e6;
 
 bool same(const EnsembleOptions& a, const EnsembleOptions& b) {
   return a.points == b.points && a.domain == b.domain && a.sets == b.sets && a.seed == b.seed &&
          a.effort == b.effort;
 }
 
-Ensemble cached_or_made(const EnsembleOptions& options) {
-  const std::filesystem::path path = cached_file(options);
+/// What the cache has under a name, of these options and as `is_right` wants it; else made now and kept.
+template <class Make, class IsRight>
+Ensemble cached_or_made(const std::string& name, const EnsembleOptions& options, const Make& make,
+                        const IsRight& is_right) {
+  const std::filesystem::path folder = cache_folder(), path = folder / name;
   std::error_code error;
-  if (!path.empty() && std::filesystem::is_regular_file(path, error)) {
+  if (!folder.empty() && std::filesystem::is_regular_file(path, error)) {
     try {
       for (StoredEnsemble& stored : parse_ensembles(read_file(path), path.string()))
-        if (same(stored.options, options)) return std::move(stored.ensemble);
+        if (same(stored.options, options) && is_right(stored.ensemble)) return std::move(stored.ensemble);
     } catch (const std::exception&) {
     }
   }
-  Ensemble made = make_ensemble(options);
-  if (!path.empty()) {
+  Ensemble made = make();
+  if (!folder.empty()) {
     try {
-      std::filesystem::create_directories(path.parent_path());
+      std::filesystem::create_directories(folder);
       write_file(path, ensemble_record(made, options));
     } catch (const std::exception&) {
     }
   }
   return made;
+}
+
+/// The cells of each set in the order of their numbers.
+std::vector<std::uint32_t> sorted_sets(const Ensemble& e) {
+  std::vector<std::uint32_t> cells = e.cells;
+  const auto n = static_cast<std::ptrdiff_t>(cells.size() / e.sets);
+  for (auto first = cells.begin(); first != cells.end(); first += n) std::sort(first, first + n);
+  return cells;
 }
 
 }  // namespace
@@ -69,9 +79,30 @@ std::string make_shipped_ensembles(EnsembleDomain domain) {
   return bytes;
 }
 
+Ensemble stored_parts(const Ensemble& ensemble, EnsembleDomain domain, std::uint32_t parts) {
+  const auto points = static_cast<std::uint32_t>(ensemble.cells.size() / ensemble.sets);
+  const auto deal = [&] {
+    Ensemble dealt = ensemble;
+    deal_parts(dealt, domain, parts);
+    return dealt;
+  };
+  if (double(points) * points * ensemble.sets < kWorthKeeping) return deal();
+  const auto deals_these = [&](const Ensemble& e) {
+    return e.columns == ensemble.columns && e.rows == ensemble.rows && e.sets == ensemble.sets &&
+           sorted_sets(e) == sorted_sets(ensemble);
+  };
+  return cached_or_made(
+      fmt::format("{}-{}-in-{}-{}-{}.ensembles", domain_name(domain), points, parts, kMaking, kDealing),
+      {.points = points, .domain = domain}, deal, deals_these);
+}
+
 Ensemble stored_ensemble(std::uint32_t points, EnsembleDomain domain) {
-  if (!std::ranges::binary_search(shipped_ensemble_sizes(), points))
-    return cached_or_made({.points = points, .domain = domain});
+  if (!std::ranges::binary_search(shipped_ensemble_sizes(), points)) {
+    const EnsembleOptions options{.points = points, .domain = domain};
+    return cached_or_made(
+        fmt::format("{}-{}-{}.ensembles", domain_name(domain), points, kMaking), options,
+        [&] { return make_ensemble(options); }, [](const Ensemble&) { return true; });
+  }
   const std::filesystem::path path = shipped_file(fmt::format("ensembles/{}.ensembles", domain_name(domain)));
   for (StoredEnsemble& stored : parse_ensembles(read_file(path), path.string()))
     if (stored.options.points == points && stored.options.domain == domain) return std::move(stored.ensemble);

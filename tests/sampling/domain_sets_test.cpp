@@ -18,13 +18,17 @@ glm::dvec2 on_disk(FixedPoint p) {
   return into_domain(EnsembleDomain::disk, to_double(p));
 }
 
-TEST(DomainSets, RefusesMoreThanItCanMakeInWords) {
-  try {
-    make_sampler("capcon-domain", 1025, 1);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("take fewer samples, or sobol-owen"), std::string::npos);
+TEST(DomainSets, RefusesWhatItCannotMakeInWords) {
+  for (const auto& [count, words] :
+       {std::pair(4097u, "take fewer samples, or sobol-owen"), {2038u, "multiple of 64 such as 2048"}}) {
+    try {
+      make_sampler("capcon-domain", count, 1);
+      FAIL() << count;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
   }
+  for (std::uint32_t count = 1024; count <= 4096; count += 64) EXPECT_TRUE(can_make_ensemble(count)) << count;
 }
 
 TEST(DomainSets, TurningIsARotationOfTheDisk) {

@@ -62,6 +62,31 @@ TEST(EnsembleStore, KeepsWhatItMakes) {
   EXPECT_EQ(read_file(file), kept);
 }
 
+TEST(EnsembleStore, KeepsPartsThatTakeLong) {
+  const OtherCache cache;
+  const Ensemble small = stored_ensemble(16, EnsembleDomain::disk);
+  stored_parts(small, EnsembleDomain::disk, 4);
+  EXPECT_FALSE(fs::exists(cache.folder())) << "not worth a file";
+  const Ensemble large =
+      make_ensemble({.points = 512, .domain = EnsembleDomain::disk, .sets = 64, .effort = 1});
+  const Ensemble dealt = stored_parts(large, EnsembleDomain::disk, 4);
+  const fs::path file = fs::directory_iterator(cache.folder())->path();
+  const std::string kept = read_file(file);
+  // What the file says is what comes: cells of a set in another order.
+  StoredEnsemble stored = parse_ensembles(kept, "kept").at(0);
+  std::swap(stored.ensemble.cells[0], stored.ensemble.cells[500]);
+  write_file(file, ensemble_record(stored.ensemble, stored.options));
+  EXPECT_EQ(stored_parts(large, EnsembleDomain::disk, 4).cells, stored.ensemble.cells);
+  // Not when it deals other sets, or is broken.
+  std::swap(stored.ensemble.cells[0], stored.ensemble.cells[512]);
+  write_file(file, ensemble_record(stored.ensemble, stored.options));
+  EXPECT_EQ(stored_parts(large, EnsembleDomain::disk, 4).cells, dealt.cells);
+  EXPECT_EQ(read_file(file), kept);
+  write_file(file, kept.substr(0, kept.size() / 2));
+  EXPECT_EQ(stored_parts(large, EnsembleDomain::disk, 4).cells, dealt.cells);
+  EXPECT_EQ(read_file(file), kept);
+}
+
 TEST(EnsembleStore, NeedsNoCache) {
   const OtherCache cache;
   fs::create_directories(cache.folder().parent_path());
