@@ -43,6 +43,21 @@ TEST(SamplePoints, DeviceAndHostAgreeToTheBit) {
   }
 }
 
+// As many as light paths take: tables of a hundred thousand texels.
+TEST(SamplePoints, SetsOfLightPathsAgreeToTheBit) {
+  const Scene scene = testing::random_soup(3, 1, 4, 4);
+  Renderer renderer(scene, {.device = "lavapipe", .validate = true});
+  for (const char* name : {"fpo", "halton", "capcon-domain"}) {
+    const auto sampler = make_sampler(name, 1152, 5, 9);
+    const auto points = renderer.sample_points(*sampler, 2, 1, SampleDomain::disk);
+    std::size_t different = 0;
+    for (std::uint32_t k = 0; k < points.size(); ++k)
+      different += points[k] != sampler->sample(k / 1152, k % 1152, 1, SampleDomain::disk) ? 1 : 0;
+    EXPECT_EQ(points.size(), 2u * 1152) << name;
+    EXPECT_EQ(different, 0u) << name;
+  }
+}
+
 TEST(SamplePoints, ChoicesOfComponentsAgreeToTheBit) {
   const Scene scene = testing::random_soup(3, 1, 4, 4);
   Renderer renderer(scene, {.device = "lavapipe", .validate = true});
