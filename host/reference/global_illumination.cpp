@@ -21,6 +21,8 @@ constexpr std::uint32_t kMostSurfaces = 64;
 /// How much of the way to a VPL is looked at.
 constexpr double kWay = 1 - 0x1p-17;
 constexpr double kLeastDistance2 = 1e-30;
+/// How far two-sided VPLs are moved through their surface, of the scene's largest coordinate.
+constexpr double kThickness = 0x1p-18;
 
 // Dimension pairs; those of surfaces that compensation rays meet have 65536 of their own each.
 constexpr std::uint32_t kBsdfPair = 0, kOnwardsPair = 1, kComponentPair = 2, kLightPairs = 3;
@@ -34,7 +36,14 @@ DirectLightingJob ray_points(const GlobalIlluminationJob& job) {
   rays.integrator_samples = job.gather;
   if (job.direct.position == PixelPosition::centre) rays.image_samples = job.sets_a_pixel();
   rays.position = PixelPosition::centre;  // no points in the pixel
+  rays.partition = true;
   return rays;
+}
+
+/// (a . n) / (a . n_g) of the shading normal n; 0 where a is not above both.
+double ratio_of(const VirtualLight& y) {
+  const double cosine = dot(y.arriving, y.shading_normal), geometric = dot(y.arriving, y.normal);
+  return cosine > 0 && geometric > 0 ? cosine / geometric : 0;
 }
 
 }  // namespace
@@ -48,14 +57,22 @@ GlobalIllumination::GlobalIllumination(const Geometry& geometry, const DirectLig
       first_(lights.first),
       limit_(job.clamping == Clamping::none ? std::numeric_limits<double>::infinity() : job.limit) {
   assert(lights.sets() == job.sets && limit_ > 0);
-  sources_.reserve(lights.lights.size());
-  for (const VirtualLight& y : lights.lights) {
-    const double cosine = dot(y.arriving, y.shading_normal), geometric = dot(y.arriving, y.normal);
-    const bool above = cosine > 0 && geometric > 0;
-    sources_.push_back({y, lighting.vertices().bsdfs().at(y.material, y.uv), Frame(y.shading_normal),
-                        Frame(y.normal), above ? cosine / geometric : 0});
+  for (VirtualLight y : lights.lights) {
+    sources_.push_back(source(y));
+    if (!job.two_sided) continue;
+    y.arriving -= 2 * dot(y.arriving, y.normal) * y.normal;
+    y.normal = -y.normal;
+    y.shading_normal = -y.shading_normal;
+    behind_.push_back(source(y));
   }
   if (job.clamping == Clamping::compensate) rays_.emplace(ray_points(job));
+}
+
+GlobalIllumination::Source GlobalIllumination::source(const VirtualLight& y) const {
+  const double cosine = dot(y.arriving, y.shading_normal), geometric = dot(y.arriving, y.normal);
+  const bool above = cosine > 0 && geometric > 0;
+  return {y, lighting_.vertices().bsdfs().at(y.material, y.uv), Frame(y.shading_normal), Frame(y.normal),
+          above ? cosine / geometric : 0};
 }
 
 FixedPoint GlobalIllumination::number(const Stream& stream, std::uint32_t surface, std::uint32_t pair) const {
@@ -70,6 +87,7 @@ dvec3 GlobalIllumination::from(const Vertex& x, const Source& y, std::uint64_t& 
   if (!(distance > 0)) return dvec3(0);
   const dvec3 direction = to / distance;
   const double leaving = -dot(direction, y.light.normal);
+  if (leaving < 0 && job_.two_sided) return from_behind(x, y, rays);
   if (!(leaving > 0)) return dvec3(0);
   const dvec3 in = x.frame.to_local(direction);
   const dvec3 received = x.reflect(direction, in);  // f_x (w . n_s), which G holds
@@ -86,9 +104,24 @@ dvec3 GlobalIllumination::from(const Vertex& x, const Source& y, std::uint64_t& 
   return received * sent * (std::min(limit_, term) / in.z);
 }
 
+dvec3 GlobalIllumination::from_behind(const Vertex& x, const Source& y, std::uint64_t& rays) const {
+  VirtualLight turned = y.light;
+  turned.normal = -turned.normal;
+  turned.shading_normal = -turned.shading_normal;
+  turned.arriving -= 2 * dot(turned.arriving, turned.normal) * turned.normal;
+  // It lay off the other side of its surface, which must not hide it, by no more than float needs.
+  turned.position += kThickness * geometry_.tree.scale() * turned.normal;
+  return from(x, {turned, y.bsdf, Frame(turned.shading_normal), Frame(turned.normal), ratio_of(turned)},
+              rays);
+}
+
 dvec3 GlobalIllumination::gather(const Vertex& x, std::uint32_t set, std::uint64_t& rays) const {
   dvec3 sum(0);
-  for (std::uint32_t k = first_[set]; k < first_[set + 1]; ++k) sum += from(x, sources_[k], rays);
+  for (std::uint32_t k = first_[set]; k < first_[set + 1]; ++k) {
+    const VirtualLight& y = sources_[k].light;
+    const bool behind = job_.two_sided && dot(y.position - x.at.position, y.normal) > 0;
+    sum += from(x, behind ? behind_[k] : sources_[k], rays);
+  }
   return sum;
 }
 

@@ -22,10 +22,10 @@ class GlobalIllumination {
  private:
   /// A VPL ready to shine.
   struct Source {
-    const VirtualLight& light;
+    VirtualLight light;
     Bsdf bsdf;
     Frame shading, geometric;
-    double shading_ratio;  ///< (a . n) / (a . n_g) of the shading normal; 0 where a is not above it
+    double shading_ratio;  ///< r of the shading normal
   };
   /// The random numbers of one compensation ray and all that follows from it.
   struct Stream {
@@ -35,7 +35,10 @@ class GlobalIllumination {
   glm::dvec3 indirect(const Vertex& x, std::uint32_t pixel, std::uint32_t set, std::uint32_t part,
                       std::uint64_t& rays) const;
   glm::dvec3 gather(const Vertex& x, std::uint32_t set, std::uint64_t& rays) const;
+  Source source(const VirtualLight& light) const;
   glm::dvec3 from(const Vertex& x, const Source& y, std::uint64_t& rays) const;
+  /// The same of a two-sided VPL that x is behind.
+  glm::dvec3 from_behind(const Vertex& x, const Source& y, std::uint64_t& rays) const;
   /// What clamping took from x, by one ray; `surface`: how many lie between the pixel's and the ray's.
   glm::dvec3 compensate(const Vertex& x, const glm::dvec2& point, double choice, std::uint32_t set,
                         const Stream& stream, std::uint32_t surface, std::uint64_t& rays) const;
@@ -49,6 +52,7 @@ class GlobalIllumination {
   GlobalIlluminationJob job_;
   DirectPoints points_;
   std::vector<Source> sources_;
+  std::vector<Source> behind_;        ///< the same as if their paths had come from behind; for two-sided ones
   std::vector<std::uint32_t> first_;  ///< VirtualLights::first
   double limit_;
   std::optional<DirectPoints> rays_;  ///< points of compensation rays from what pixels see

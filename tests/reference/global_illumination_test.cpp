@@ -224,6 +224,38 @@ TEST(GlobalIlluminationEstimates, BlocksAndImageSamplesUseTheirSets) {
   EXPECT_THROW(narrow.render(jittered, all), InputError);
 }
 
+TEST(GlobalIlluminationEstimates, TwoSidedOnesLeakThroughThinWalls) {
+  // A floor under a roof that the sun shines on. The roof's VPLs light the floor as much as they would had
+  // the sun shone from below.
+  const std::string floor = matte(0.8) + test::kFloor;
+  const std::string roof =
+      "Shape \"trianglemesh\" \"point3 P\" [-1 -1 1 1 -1 1 1 1 1 -1 1 1] \"integer indices\" [0 1 2 0 2 3]\n";
+  const Scene scene = test::view_of(floor + roof + "LightSource \"distant\" \"point3 from\" [1 2 3]\n",
+                                    {0.1, 0.1, 0.5}, {0, 0, 0}, 20, 2);
+  const Reference reference(scene);
+  GlobalIlluminationJob job = test::global_job();
+  job.sets = 1;
+  VirtualLight on_roof;
+  on_roof.position = {0.2, 0.3, 1};
+  on_roof.normal = on_roof.shading_normal = {0, 0, 1};
+  on_roof.arriving = glm::normalize(glm::dvec3(1, 2, 3));
+  on_roof.flux = glm::dvec3(2);
+  on_roof.material = 0;
+  const VirtualLights lights{{on_roof}, {0, 1}};
+  job.clamping = Clamping::clamp;
+  VirtualLights turned = lights;
+  for (VirtualLight& y : turned.lights) {
+    y.normal = y.shading_normal = {0, 0, -1};
+    y.arriving.z = -y.arriving.z;
+    y.position.z -= 1e-9;
+  }
+  EXPECT_EQ(mean_of(reference.render(job, lights).image), 0);
+  const double expected = mean_of(reference.render(job, turned).image);
+  EXPECT_GT(expected, 0);
+  job.two_sided = true;
+  EXPECT_NEAR(mean_of(reference.render(job, lights).image), expected, 1e-6 * expected);
+}
+
 TEST(GlobalIlluminationEstimates, AreTheSameBitsForAnyNumberOfThreads) {
   const Scene scene = test::corner_view(matte(0.8) + kCorner + kCornerLamp);
   const Reference reference(scene);
