@@ -12,6 +12,7 @@
 #include "cli/job_options.h"
 #include "cli/profile_table.h"
 #include "cli/verbs.h"
+#include "cli/virtual_lights_option.h"
 #include "image/exr_rows.h"
 #include "image/partial_image.h"
 #include "reference/reference.h"
@@ -31,7 +32,7 @@ double seconds_since(Clock::time_point start) {
 }
 
 struct Options {
-  std::string scene, output;
+  std::string scene, output, lights;  // lights: where virtual point lights are shown
   JobOptions job;
   RendererOptions renderer;
   int width = 0, height = 0;
@@ -50,9 +51,10 @@ Attributes attributes_of(const Options& o, const RenderResult& result, const Tim
   return a;
 }
 
-void check(const Options& o) {
+void check(const Options& o, const Job& job) {
   const auto extension = std::filesystem::path(o.output).extension();
-  if (o.explain && o.output.empty()) return;
+  if (!o.lights.empty()) check_light_file(o.lights, job);
+  if ((o.explain || !o.lights.empty()) && o.output.empty()) return;
   if (o.output.empty()) throw InputError("name the image to write with -o");
   if (extension != ".png" && extension != ".exr") {
     throw InputError(fmt::format("-o {}: the image's name must end in .exr or .png", o.output));
@@ -118,6 +120,7 @@ Outcome render_large(const Options& o, const Job& job, const Scene& scene, Rende
 }
 
 void write(const Options& o, Outcome& outcome, Clock::time_point start) {
+  if (o.output.empty()) return;  // the job's virtual lights alone are wanted
   const double seconds = seconds_since(start);
   const auto writing = Clock::now();
   if (std::filesystem::path(o.output).extension() == ".png") {
@@ -134,6 +137,17 @@ void say(const Options& o, const std::vector<std::string>& warnings) {
   }
 }
 
+/// A list of virtual lights needs no image.
+bool needs_image(const Options& o) {
+  return !o.output.empty() || is_light_picture(o.lights);
+}
+
+template <typename Tracer>  // Renderer or Reference
+void show_lights(const Options& o, const Job& job, const Scene& scene, const Image& image, Tracer& tracer) {
+  if (o.lights.empty()) return;
+  write_lights(o.lights, scene, std::get<GlobalIlluminationJob>(job), image, tracer);
+}
+
 Outcome render(const Options& o, const Job& job, Scene& scene, PendingDevice device, Timings timings,
                Clock::time_point start) {
   if (o.renderer.device != "reference") {
@@ -141,24 +155,27 @@ Outcome render(const Options& o, const Job& job, Scene& scene, PendingDevice dev
     say(o, renderer.warnings());
     merge(renderer.setup(), timings);
     const bool exr = std::filesystem::path(o.output).extension() == ".exr";
-    if (exr && std::size_t(scene.film.width) * scene.film.height > kBandPixels) {
+    if (exr && std::size_t(scene.film.width) * scene.film.height > kBandPixels && o.lights.empty()) {
       return render_large(o, job, scene, renderer, std::move(timings), start);
     }
     Progress progress("rendering", 1, o.quiet);
-    Outcome outcome{renderer.render(job, [&](double fraction) { progress.update(fraction); }),
-                    std::move(timings), renderer.device_info()};
+    Outcome outcome{{}, std::move(timings), renderer.device_info()};
+    if (needs_image(o))
+      outcome.result = renderer.render(job, [&](double fraction) { progress.update(fraction); });
     merge(outcome.result.timings, outcome.timings);
+    show_lights(o, job, scene, outcome.result.image, renderer);
     write(o, outcome, start);
     return outcome;
   }
   const Reference reference(scene);
   Progress progress("rendering", 1, o.quiet);
-  Outcome outcome{reference.render(job, [&](double fraction) { progress.update(fraction); }),
-                  std::move(timings),
-                  {{"name", "reference"}}};
+  Outcome outcome{{}, std::move(timings), {{"name", "reference"}}};
+  if (needs_image(o))
+    outcome.result = reference.render(job, [&](double fraction) { progress.update(fraction); });
   say(o, reference.warnings());
   merge(reference.setup(), outcome.timings);
   merge(outcome.result.timings, outcome.timings);
+  show_lights(o, job, scene, outcome.result.image, reference);
   write(o, outcome, start);
   return outcome;
 }
@@ -194,12 +211,12 @@ void run(const Options& o) {
     throw InputError("--width and --height must be between 1 and 16384");
   }
   const Job job = o.job.job();
-  check(o);
+  check(o, job);
   const bool on_reference = o.renderer.device == "reference";
   if (o.explain) {
     if (on_reference) throw InputError("--explain is about a Vulkan device; leave out --device reference");
     run_explain(o);
-    if (o.output.empty()) return;
+    if (!needs_image(o) && o.lights.empty()) return;
   }
   PendingDevice device;
   if (!on_reference) device = open_device(o.renderer);
@@ -217,8 +234,9 @@ void run(const Options& o) {
   if (o.json) {
     fmt::print("{}\n", report(o, scene, outcome, seconds, first_dispatch).dump(2));
   } else if (!o.quiet) {
-    fmt::print(stderr, "{}: {}x{}, {} samples of {} on {}, {:.2f} s in all\n", o.output, scene.film.width,
-               scene.film.height, o.job.samples_a_pixel(), o.job.sampler, outcome.result.device, seconds);
+    fmt::print(stderr, "{}: {}x{}, {} samples of {} on {}, {:.2f} s in all\n",
+               o.output.empty() ? o.lights : o.output, scene.film.width, scene.film.height,
+               o.job.samples_a_pixel(), o.job.sampler, outcome.device.value("name", ""), seconds);
   }
 }
 
@@ -237,6 +255,10 @@ void add_render_verb(CLI::App& app) {
   verb->add_option("scene", o->scene, "Scene: .pbrt (v4, v3 or v2 text), .ply or .obj")->required();
   verb->add_option("-o,--output", o->output, "Image to write: .exr (results) or .png (preview)");
   o->job.add_to(*verb);
+  verb->add_option(
+      "--show-virtual-lights", o->lights,
+      "igi: where the virtual point lights lie: a picture (.png) over the dimmed image, or a list "
+      "(.csv, .json); -o may be left out");
   verb->add_option(
           "--device", o->renderer.device,
           "best, lavapipe, a number or name of `capcon info`, or reference (double precision on the CPU)")
