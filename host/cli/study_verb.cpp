@@ -15,6 +15,7 @@
 #include "render/renderer.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
+#include "study/format.h"
 #include "study/scene_facts.h"
 #include "study/study.h"
 #include "study/table.h"
@@ -29,8 +30,10 @@ extern "C" void request_stop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-constexpr double kCourtyardRadius = 2;   // metres
-constexpr double kDefaultPixels = 6000;  // a study of all samplers in two to four minutes on two cores
+constexpr double kCourtyardRadius = 2;         // metres
+constexpr double kDefaultPixels = 6000;        // a study of all samplers in two to four minutes on two cores
+constexpr double kDefaultGlobalPixels = 2028;  // the same, with some 200 virtual lights a set for each
+constexpr std::uint32_t kReferenceSets = 64;
 
 struct Options {
   StudySettings settings;
@@ -38,7 +41,7 @@ struct Options {
   std::string scene;
   std::string directory;
   std::string samples = "1,2,4..256";
-  std::string position = "centre";
+  std::string position = "centre", clamping = "compensate";
   std::string device = "best";
   bool no_close_ups = false;
   bool json = false;
@@ -82,6 +85,7 @@ StudyDevice make_device(Scene scene, const std::string& device, bool shading, in
 /// The shipped scene of each study.
 std::string shipped_scene(Integral integral) {
   if (integral == Integral::ambient_occlusion) return "scenes/courtyard.pbrt";
+  if (integral == Integral::global_illumination) return "scenes/nave.pbrt";
   return integral == Integral::direct ? "scenes/direct.pbrt" : "scenes/splitting.pbrt";
 }
 
@@ -94,17 +98,20 @@ std::vector<std::uint32_t> splits_of(std::uint32_t combined) {
   return counts;
 }
 
+std::vector<std::string> default_samplers(Integral integral) {
+  if (integral == Integral::splitting)
+    return {"capcon", "capcon-naive", "capcon-naive2", "capcon-domain", "sobol-xor", "sobol-owen"};
+  if (integral == Integral::global_illumination)
+    return {"random", "sobol-xor", "sobol-owen", "halton", "capcon", "capcon-naive", "fpo", "capcon-domain"};
+  return default_study_samplers();
+}
+
 void check_samplers(StudySettings& s) {
-  if (s.samplers.empty()) {
-    s.samplers = s.integral == Integral::splitting
-                     ? std::vector<std::string>{"capcon",        "capcon-naive", "capcon-naive2",
-                                                "capcon-domain", "sobol-xor",    "sobol-owen"}
-                     : default_study_samplers();
-  }
+  if (s.samplers.empty()) s.samplers = default_samplers(s.integral);
   for (std::size_t i = 0; i < s.samplers.size(); ++i) {
     const std::string& name = s.samplers[i];
     // An unknown name is told before the work.
-    make_sampler(s.integral == Integral::splitting ? parse_variant(name).sampler : name, 1, 1);
+    make_sampler(has_variants(s.integral) ? parse_variant(name).sampler : name, 1, 1);
     const auto before = s.samplers.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(s.samplers.begin(), before, name) != before)
       throw InputError(fmt::format("--samplers names {} twice", name));
@@ -116,12 +123,17 @@ void run(Options& o) {
   check_samplers(s);
   s.position = o.position == "jittered" ? PixelPosition::jittered : PixelPosition::centre;
   s.samples = s.integral == Integral::splitting ? splits_of(s.combined) : parse_samples(o.samples);
+  s.clamping = o.clamping == "none"    ? Clamping::none
+               : o.clamping == "clamp" ? Clamping::clamp
+                                       : Clamping::compensate;
   s.close_ups = !o.no_close_ups;
   s.command = command_line();
   const std::string shipped = shipped_scene(s.integral);
   s.scene = o.scene.empty() ? shipped + " (shipped)" : o.scene;
   const std::string scene_path = o.scene.empty() ? shipped_file(shipped).string() : o.scene;
   const Job example = make_job(s, {s.samplers.front(), s.samples.front(), 1});
+  make_job(s, {s.samplers.front(), s.samples.back(), 1});  // what cannot be is told before the work
+  make_reference_job(s, 0);
   Scene scene = read_scene(scene_path, needed_reading(example, false));
   if (!o.runner.quiet) {
     for (const std::string& warning : scene.warnings) fmt::print(stderr, "capcon: warning: {}\n", warning);
@@ -131,7 +143,8 @@ void run(Options& o) {
   s.unique_triangles = scene.unique_triangles();
   s.instanced_triangles = scene.instanced_triangles();
   if (s.radius == 0) s.radius = o.scene.empty() ? kCourtyardRadius : default_radius(scene);
-  set_film(scene, s.width, s.height, kDefaultPixels);
+  const bool global = s.integral == Integral::global_illumination;
+  set_film(scene, s.width, s.height, global ? kDefaultGlobalPixels : kDefaultPixels);
   s.width = scene.film.width;
   s.height = scene.film.height;
 
@@ -182,16 +195,22 @@ void add_options(CLI::App* study, const std::shared_ptr<Options>& o) {
   study->add_option("--seeds", s.seeds, "seeds 1 ... N; intervals need two at least")
       ->check(CLI::Range(1u, 4096u))
       ->capture_default_str();
-  study->add_option("--width", s.width, "pixels (default: about 6,000 in all, in the film's shape)")
+  const bool global = s.integral == Integral::global_illumination;
+  study
+      ->add_option(
+          "--width", s.width,
+          fmt::format("pixels (default: about {} in all, in the film's shape)",
+                      grouped(static_cast<std::uint64_t>(global ? kDefaultGlobalPixels : kDefaultPixels))))
       ->check(CLI::Range(1, 16384));
   study->add_option("--height", s.height, "pixels")->check(CLI::Range(1, 16384));
   study
       ->add_option("--device", o->device,
                    "best, lavapipe, a number of `capcon info`, part of a name, or reference")
       ->capture_default_str();
+  const std::string many(words_of(s.integral).many);
   study
-      ->add_option("--reference-samples", s.reference_samples,
-                   "samples a pixel of each of the reference's 4 groups")
+      ->add_option("--reference-" + many, s.reference_samples,
+                   fmt::format("{} of each of the reference's 4 groups", words_of(s.integral).counts))
       ->check(CLI::Range(1u, 1u << 20))
       ->capture_default_str();
   study->add_flag("--no-close-ups", o->no_close_ups, "leave the larger pictures out of the report");
@@ -204,12 +223,47 @@ void add_options(CLI::App* study, const std::shared_ptr<Options>& o) {
 void add_samples(CLI::App* study, const std::shared_ptr<Options>& o) {
   study
       ->add_option("--samplers", o->settings.samplers,
-                   "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton (default: all but "
+                   "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton "
+                   "(default: all but "
                    "the last two)")
       ->delimiter(',')
       ->allow_extra_args(false);
   study->add_option("--samples", o->samples, "samples a pixel: counts and doubling ranges")
       ->capture_default_str();
+}
+
+/// Samplers of studies that know variants.
+void add_variants(CLI::App* study, const std::shared_ptr<Options>& o, const std::string& standard) {
+  study
+      ->add_option(
+          "--samplers", o->settings.samplers,
+          fmt::format("samplers; X-naive: X without partition, X-naive2: the same with twice the points "
+                      "(default: {})",
+                      standard))
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+void add_light_paths(CLI::App* study, const std::shared_ptr<Options>& o) {
+  StudySettings& s = o->settings;
+  o->samples = "1,2,4..16";
+  s.reference_samples = kReferenceSets;
+  study->add_option("--sets", o->samples, "sets of light paths: counts and doubling ranges")
+      ->capture_default_str();
+  study->add_option("--paths", s.paths, "N: light paths a set")
+      ->check(CLI::Range(1u, 1u << 16))
+      ->capture_default_str();
+  study
+      ->add_option(
+          "--clamping", o->clamping,
+          "what becomes of the geometry term above its limit, in the reference too: compensate, clamp, none")
+      ->check(CLI::IsMember({"compensate", "clamp", "none"}))
+      ->capture_default_str();
+  study
+      ->add_option(
+          "--limit", s.limit,
+          "the most that the geometry term may be, 1 / square scene unit (default: by the scene's size)")
+      ->check(CLI::PositiveNumber);
 }
 
 std::shared_ptr<Options> options_for(Integral integral) {
@@ -254,16 +308,18 @@ void add_study_verb(CLI::App& app) {
     study->add_option("--combined", o->settings.combined, "N: points a pixel on each light and for the BSDF")
         ->check(CLI::Range(1u, 1024u))
         ->capture_default_str();
-    study
-        ->add_option(
-            "--samplers", o->settings.samplers,
-            "samplers; X-naive: X without partition, X-naive2: the same with twice the points (default: "
-            "capcon, its naive variants, capcon-domain, sobol-xor, sobol-owen)")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    add_variants(study, o, "capcon, its naive variants, capcon-domain, sobol-xor, sobol-owen");
     study->add_option("--pixel-samples", o->position, "centre: shows the integral's error alone; jittered")
         ->check(CLI::IsMember({"centre", "jittered"}))
         ->capture_default_str();
+  }
+  {
+    CLI::App* study = verb->add_subcommand(
+        "igi", "instant global illumination: sets of light paths, indirect light, noise against structure");
+    auto o = options_for(Integral::global_illumination);
+    add_light_paths(study, o);
+    add_options(study, o);
+    add_variants(study, o, "random, sobol-xor, sobol-owen, halton, capcon, capcon-naive, fpo, capcon-domain");
   }
 }
 

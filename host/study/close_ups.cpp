@@ -18,7 +18,7 @@ struct Extent {
 
 /// Blotches are as large as the room is; and every set is hundreds of rays a pixel.
 Extent extent_of(Integral integral) {
-  return integral == Integral::global_illumination ? Extent{21e3, 64, 0.45} : Extent{};
+  return integral == Integral::global_illumination ? Extent{8e3, 32, 0.5} : Extent{};
 }
 
 Image difference(const Image& a, const Image& b) {

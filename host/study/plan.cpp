@@ -50,6 +50,7 @@ GlobalIlluminationJob global_illumination_job(const StudySettings& settings, con
   job.partition = variant.partition;
   job.paths = variant.factor * settings.paths;
   job.sets = sets;
+  job.clamping = settings.clamping;
   job.limit = settings.limit;
   job.only_indirect = true;
   check_job(job);
@@ -87,6 +88,10 @@ Job make_reference_job(const StudySettings& settings, std::uint32_t group) {
                     seed);
 }
 
+std::string_view clamping_name(Clamping clamping) {
+  return clamping == Clamping::none ? "none" : clamping == Clamping::clamp ? "clamp" : "compensate";
+}
+
 nlohmann::json to_json(const StudySettings& s) {
   nlohmann::json json = {
       {"integral", words_of(s.integral).slug},
@@ -113,6 +118,7 @@ nlohmann::json to_json(const StudySettings& s) {
     json["paths"] = s.paths;
     json["limit"] = s.limit;
     json["gather"] = usual.gather;
+    json["clamping"] = clamping_name(s.clamping);
   }
   return json;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/job.h"
@@ -23,6 +24,7 @@ struct StudySettings {
   double radius = 0;                               ///< of ambient occlusion
   std::uint32_t combined = 16;                     ///< splitting: N, points a pixel
   std::uint32_t paths = 128;                       ///< global illumination: N, light paths a set
+  Clamping clamping = Clamping::compensate;        ///< of the geometry term
   double limit = 0;                                ///< of the geometry term; 0: by the scene's size
   PixelPosition position = PixelPosition::centre;  ///< of image samples
   std::vector<std::string> samplers;
@@ -58,6 +60,9 @@ Job make_job(const StudySettings& settings, const PlannedRun& run);
 inline constexpr const char* kReferenceSampler = "sobol-owen";
 inline constexpr std::uint32_t kReferenceSeed = 0x52454600;
 Job make_reference_job(const StudySettings& settings, std::uint32_t group);
+
+/// As the command line has it.
+std::string_view clamping_name(Clamping clamping);
 
 /// All settings, as reports and headers show them.
 nlohmann::json to_json(const StudySettings& settings);
