@@ -30,7 +30,7 @@ void main() {
   HitSurface h = surface_at(ray, hit, live);
   vec3 a = -ray.direction;
 
-  // Where it goes on. f is the path tracer's that comes from there; a shading normal on the wrong side of it gives way.
+  // Where it goes on. f is the path tracer's that comes from there; a shading normal on the other side of it gives way.
   uint set = at / max(push.split.y, 1u);
   uint index = at - set * push.split.y;
   vec2 u = unit_floats(path_point(set, index, push.bounce, kPairBounce, kDomainDisk));
@@ -41,6 +41,9 @@ void main() {
   Bsdf from = load_bsdf(material, h.details.uv, from_frame(a, na));
   vec3 i = sample_bsdf(from, u, choice);
   vec3 w = normalize(to_frame(i, na));
+  // Directions above the shading normal alone are of no use, those above the geometric one alone would never be found: they are
+  // each other's opposites.
+  w = dot(w, h.normal) < 0.0 ? -w : w;
   vec3 nw = dot(h.shading_normal, w) > 0.0 ? h.shading_normal : h.normal;
   vec3 a_local = from_frame(a, nw), w_local = from_frame(w, nw);
   bool reflects = h.seen && i.z > 0.0 && from.o.z > 0.0 && dot(w, h.normal) > 0.0 && dot(a, h.normal) > 0.0 && a_local.z > 0.0 && w_local.z > 0.0;
