@@ -29,7 +29,7 @@ std::uint8_t byte_of(double linear) {
 
 /// Grey and dim, so that dots stand out and the room is still known.
 plot::Pixels dimmed(const Image& image) {
-  constexpr double kDim = 0.22;
+  constexpr double kDim = 0.34;
   plot::Pixels pixels{image.width, image.height, {}};
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
