@@ -71,8 +71,9 @@ StudyDevice make_device(Scene scene, const std::string& device, bool shading, in
   scene.film.width = width;
   scene.film.height = height;
   if (device == "reference") {
-    auto reference = std::make_shared<Reference>(scene);
-    return {[reference](const Job& job) { return reference->render(job); },
+    const auto kept = std::make_shared<const Scene>(std::move(scene));  // a Reference keeps a reference to it
+    auto reference = std::make_shared<Reference>(*kept);
+    return {[kept, reference](const Job& job) { return reference->render(job); },
             {{"name", "reference (double precision on the CPU)"}}};
   }
   RendererOptions options;
