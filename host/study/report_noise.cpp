@@ -81,35 +81,38 @@ std::string maps_section(const StudyResult& result, const Noise& noise) {
 
 std::string report_noise(const StudyResult& result, const Figures& figures) {
   const Noise& noise = figures.noise;
-  std::string html = fmt::format(
+  const std::string question = fmt::format(
       "<p>All pixels see the same light paths, so an error is not only noise from pixel to pixel: it is "
       "blotches, "
-      "and shadows of single virtual lights. Two questions are asked of it. Does the mean over seeds come to "
-      "the "
-      "reference, or is a part of the error always there? And how much of an image's error is coarse, so "
-      "that it "
-      "survives a box filter of {} × {} pixels?</p>",
+      "spots and false shadows of single virtual lights. Two questions are asked of it. Does the mean over "
+      "seeds "
+      "come to the reference, or is a part of the error always there? And how much of an image's error is "
+      "coarse, "
+      "so that it survives a box filter of {} × {} pixels?</p>",
       kCoarseBlock, kCoarseBlock);
-  html += table(
+  const std::string deviations = table(
       result, noise,
-      fmt::format("Standard deviation of a pixel over {} seeds; below it the error of the mean over seeds, "
-                  "and what chance alone makes of it (root mean squares over pixels)",
+      fmt::format("Standard deviation of a pixel over {} seeds; below it the error of their mean, and what "
+                  "chance alone makes of that",
                   noise.seeds),
       [](const NoiseCell& c) {
-        return cell(scientific(c.deviation.value) + " " + percent_around(c.deviation),
-                    fmt::format("mean {}, chance {}{}", scientific(c.mean_error), scientific(c.chance),
-                                c.bias_square.above(0) ? " <strong>more</strong>" : ""));
+        return cell(
+            scientific(c.deviation.value) + " " + percent_around(c.deviation),
+            fmt::format("mean {}</span><span class=\"interval\">chance {}{}", scientific(c.mean_error),
+                        scientific(c.chance), c.bias_square.above(0) ? " <strong>more</strong>" : ""));
       });
-  html +=
-      "<p class=\"small\"><strong>more</strong>: the interval of what is left of the mean's squared error "
-      "without chance excludes nothing.</p>";
-  html +=
+  const std::string note =
+      "<p class=\"small\">All are root mean squares over pixels. <strong>more</strong>: the interval of what "
+      "is "
+      "left of the mean's squared error without chance excludes nothing.</p>";
+  const std::string shares =
       table(result, noise,
-            fmt::format("Share of the squared error that a box filter of {} × {} pixels leaves, with 95 % "
-                        "interval; of errors independent from pixel to pixel: {}",
-                        kCoarseBlock, kCoarseBlock, short_number(noise.coarse_by_chance)),
+            fmt::format(
+                "Share of the squared error that a box filter of {} × {} pixels leaves, with 95 % interval; "
+                "of errors independent from pixel to pixel: {}",
+                kCoarseBlock, kCoarseBlock, short_number(noise.coarse_by_chance)),
             [](const NoiseCell& c) { return cell(short_number(c.coarse.value), range(c.coarse)); });
-  return html + maps_section(result, noise);
+  return question + deviations + note + shares + maps_section(result, noise);
 }
 
 }  // namespace capcon

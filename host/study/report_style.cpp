@@ -63,6 +63,7 @@ th:first-child{text-align:right;color:var(--soft);font-weight:600;width:4.5rem}
 .framed{position:relative}
 .framed img,.views img{display:block;width:100%;height:auto;image-rendering:pixelated}
 .framed svg{position:absolute;inset:0;width:100%;height:100%}
+.framed rect{vector-effect:non-scaling-stroke}
 .halo{fill:none;stroke:#000;stroke-width:4;opacity:.6}.frame{fill:none;stroke:#ffd24a;stroke-width:2}
 .views{display:grid;grid-template-columns:repeat(var(--n),minmax(130px,1fr));gap:.7rem .6rem}
 .views figcaption{margin:.15rem 0 0;white-space:nowrap}
