@@ -17,7 +17,7 @@ struct JobOptions {
   std::uint32_t samples = 16, seed = 1;
   bool no_partition = false;
   std::string path_sampler, clamping = "compensate";  ///< igi; no sampler: that of the pixel
-  std::uint32_t paths = 128, sets = 4, gather = 4, block = 1;
+  std::uint32_t paths = 128, sets = 4, gather = 1, block = 1;
   double limit = 0;
   bool indirect = false, two_sided = false;
 

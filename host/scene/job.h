@@ -80,7 +80,7 @@ struct GlobalIlluminationJob {
   bool partition = true;
   Clamping clamping = Clamping::compensate;
   double limit = 0;            ///< of G, in 1 / square scene unit; 0: default_geometry_limit() of the scene
-  std::uint32_t gather = 4;    ///< compensation rays for each set that an image sample uses, >= 1
+  std::uint32_t gather = 1;    ///< compensation rays for each set that an image sample uses, >= 1
   std::uint32_t block = 1;     ///< interleaved sampling: pixels of block x block have sets of their own
   bool only_indirect = false;  ///< leave out what comes straight from lights
   /// VPLs shine to both sides of their surface, as those of pbrt-v2 do, so that light leaks through thin

@@ -1,6 +1,7 @@
-// Direct lighting against the anchor scenes' reference images (not part of the project): render_bench FOLDER
-// [b|c]. Scene B: error at 16 samples of each sampler, and converged. Scene C: what remains, material by
-// material, with our materials and with pbrt-v2's own models as tables.
+// Renders against the anchor scenes' reference images (not part of the project): render_bench FOLDER
+// [b|c|dr|dc]. Scene B: error at 16 samples of each sampler, and converged. Scene C: what remains, material
+// by material, with our materials and with pbrt-v2's own models as tables. Scene D, instant global
+// illumination: rows of sets (dr), and converged (dc).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "anchor_d.h"
 #include "image/compare.h"
 #include "pbrt_v2_models.h"
 #include "render/features.h"
@@ -177,10 +179,14 @@ void bench_c(const std::filesystem::path& folder) {
 
 int main(int count, char** words) {
   if (count < 2) {
-    fmt::print(stderr, "usage: render_bench FOLDER [b|c], the folder of the anchor scenes\n");
+    fmt::print(stderr, "usage: render_bench FOLDER [b|c|dr|dc], the folder of the anchor scenes\n");
     return 2;
   }
   const std::string which = count > 2 ? words[2] : "bc";
+  if (which.starts_with("d")) {
+    bench::bench_d(words[1], which.substr(1));
+    return 0;
+  }
   if (which.find('b') != std::string::npos) bench_b(words[1]);
   if (which.find('c') != std::string::npos) bench_c(words[1]);
   return 0;
