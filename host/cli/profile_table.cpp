@@ -12,8 +12,9 @@ struct Stage {
   const char* what;
 };
 
-// The order of the work; what another integrator does is left out; "trace" is the reference's, which does not tell its rays apart.
-constexpr std::array<Stage, 15> kStages{{
+// The order of the work; what another integrator does is left out; "trace" is the reference's, which does not
+// tell its rays apart.
+constexpr std::array<Stage, 18> kStages{{
     {"device", "open the device (while reading)"},
     {"read", "scene files"},
     {"shading", "materials and lights, their tables"},
@@ -21,11 +22,14 @@ constexpr std::array<Stage, 15> kStages{{
     {"compile", "kernels (while building)"},
     {"upload", "buffers"},
     {"points", "sample points on the host"},
+    {"light paths", "where virtual lights lie"},
     {"primary", "what the pixels see"},
     {"occlusion", "occlusion rays"},
     {"emission", "lights that are seen"},
     {"light samples", "shading and shadow rays"},
     {"bsdf samples", "shading and BSDF rays"},
+    {"gather", "rays to virtual lights"},
+    {"compensation", "what clamping leaves out"},
     {"trace", "all rays"},
     {"resolve", "sums to an image"},
     {"write", "files"},
