@@ -115,7 +115,9 @@ std::string bias_sentence(const Figures& figures) {
         asked);
   }
   return fmt::format(
-      "The mean over the seeds is farther from the reference than chance puts it for {}, of {} means.",
+      "The mean over the seeds is farther from the reference than chance puts it for {}, of {} means; of "
+      "forty "
+      "such calls about one is chance.",
       enumerate(shown), asked);
 }
 

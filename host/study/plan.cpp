@@ -50,6 +50,7 @@ GlobalIlluminationJob global_illumination_job(const StudySettings& settings, con
   job.partition = variant.partition;
   job.paths = variant.factor * settings.paths;
   job.sets = sets;
+  job.gather = kGatherRays;
   job.clamping = settings.clamping;
   job.limit = settings.limit;
   job.only_indirect = true;
@@ -114,10 +115,9 @@ nlohmann::json to_json(const StudySettings& s) {
       {"close_ups", s.close_ups},
       {"command", s.command}};
   if (s.integral == Integral::global_illumination) {
-    const GlobalIlluminationJob usual;
     json["paths"] = s.paths;
     json["limit"] = s.limit;
-    json["gather"] = usual.gather;
+    json["gather"] = kGatherRays;
     json["clamping"] = clamping_name(s.clamping);
   }
   return json;

@@ -56,6 +56,10 @@ std::vector<PlannedRun> plan_runs(const StudySettings& settings);
 /// same noise.
 Job make_job(const StudySettings& settings, const PlannedRun& run);
 
+/// Compensation rays a set of a study of global illumination: noise that is the same for all samplers is kept
+/// small beside what they differ in.
+inline constexpr std::uint32_t kGatherRays = 4;
+
 /// The reference's sampler, and the seed of its group: far from those of the runs.
 inline constexpr const char* kReferenceSampler = "sobol-owen";
 inline constexpr std::uint32_t kReferenceSeed = 0x52454600;

@@ -28,10 +28,14 @@ std::string what_ran(const StudyResult& result, const Figures& figures) {
     item("points a pixel", fmt::format("{} for each light and the BSDF", s.combined));
   if (s.integral == Integral::global_illumination) {
     item("light paths", fmt::format("{} a set; what a sampler makes is these alone", s.paths));
-    item("geometry term",
-         fmt::format("at most {}; the rest by 4 compensation rays a set, of {} for all samplers",
-                     s.limit > 0 ? fmt::format("{:g}", s.limit) : "the limit by the scene's size",
-                     kReferenceSampler));
+    const std::string limit = s.limit > 0 ? fmt::format("{:g}", s.limit) : "the limit by the scene's size";
+    const std::string rest =
+        s.clamping == Clamping::compensate
+            ? fmt::format("at most {}; the rest by {} compensation rays a set, of {} for all samplers", limit,
+                          kGatherRays, kReferenceSampler)
+        : s.clamping == Clamping::clamp ? fmt::format("at most {}, in the reference too", limit)
+                                        : "not limited";
+    item("geometry term", rest);
   }
   item("runs", fmt::format("{} samplers × {} counts × {} seeds (1 … {}) = {} renders", s.samplers.size(),
                            s.samples.size(), s.seeds, s.seeds, result.records.size()));

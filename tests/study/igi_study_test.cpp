@@ -78,6 +78,7 @@ TEST(IgiStudy, OnlyLightPathsAreTheSamplers) {
   EXPECT_EQ(job.sets, 4u);
   EXPECT_EQ(job.limit, 2);
   EXPECT_TRUE(job.only_indirect);
+  EXPECT_EQ(job.gather, kGatherRays);
   EXPECT_EQ(job.clamping, Clamping::compensate);
   EXPECT_EQ(std::get<GlobalIlluminationJob>(make_job(s, {"capcon-naive2", 4, 3})).paths, 128u);
   const auto reference = std::get<GlobalIlluminationJob>(make_reference_job(s, 1));
