@@ -106,8 +106,8 @@ void main() {
                       : kind == kLightSphere                                        ? kDomainCylinder
                                                                                     : kDomainDisk;
   uint turn_domain = several ? kDomainSquare : kind <= kLightTriangles ? kDomainDisk : kDomainCylinder;
-  uvec2 u = path_point(set, index, 0u, kPairOrigin, place_domain);
-  uvec2 v = path_point(set, index, 0u, kPairEmission, turn_domain);
+  uvec2 u = path_bits(set, index, 0u, kPairOrigin, place_domain);
+  uvec2 v = path_bits(set, index, 0u, kPairEmission, turn_domain);
   float side = path_choice(set, index, 0u);
 
   // The first light whose part ends above u.x.

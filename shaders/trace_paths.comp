@@ -33,9 +33,9 @@ void main() {
   // Where it goes on. f is the path tracer's that comes from there; a shading normal on the other side of it gives way.
   uint set = at / max(push.split.y, 1u);
   uint index = at - set * push.split.y;
-  vec2 u = unit_floats(path_point(set, index, push.bounce, kPairBounce, kDomainDisk));
+  vec2 u = unit_floats(path_bits(set, index, push.bounce, kPairBounce, kDomainDisk));
   float choice = has(kMicrofacets) ? path_choice(set, index, push.bounce) : 0.0;
-  float end = unit_floats(path_point(set, index, push.bounce, kPairGoingOn, kDomainSquare)).x;
+  float end = unit_floats(path_bits(set, index, push.bounce, kPairGoingOn, kDomainSquare)).x;
   uint material = h.seen ? h.details.material : 0u;
   vec3 na = dot(h.shading_normal, a) > 0.0 ? h.shading_normal : h.normal;
   Bsdf from = load_bsdf(material, h.details.uv, from_frame(a, na));

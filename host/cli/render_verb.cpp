@@ -191,6 +191,7 @@ nlohmann::ordered_json report(const Options& o, const Scene& scene, const Outcom
   describe(o.job, json);
   json["device"] = outcome.device;
   json["rays"] = outcome.result.rays;
+  if (outcome.result.virtual_lights > 0) json["virtual_lights"] = outcome.result.virtual_lights;
   json["device_seconds"] = traced;
   json["seconds"] = seconds;
   json["timings"] = to_json(outcome.timings);

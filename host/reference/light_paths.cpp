@@ -68,6 +68,7 @@ LightPaths::LightPaths(const Scene& scene, const Geometry& geometry, const Direc
 
 FixedPoint LightPaths::point(std::uint32_t set, std::uint32_t index, std::uint32_t bounce, std::uint32_t pair,
                              SampleDomain domain) const {
+  index = path_point(seed_, set, index, paths_, bounce, pair);
   if (partition_) return sampler_->sample(bounce, set * paths_ + index, pair, domain);
   return sampler_->sample(bounce, index, pair + kPairsOfASet * set, domain);
 }

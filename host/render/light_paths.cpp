@@ -139,13 +139,10 @@ std::vector<KernelVariant> light_path_kernels(std::uint32_t sampler_id) {
 DeviceVirtualLights trace_light_paths(RendererState& state, const GlobalIlluminationJob& job,
                                       Timings& timings) {
   if (state.light_list.kinds.empty())
-    throw InputError("the scene has no light that emits anything, so that no light path can start: add one");
+    throw InputError("the scene has no light that emits; add one, such as LightSource or AreaLightSource");
   DeviceVirtualLights lights = LightPaths(state, job, timings).run();
-  if (lights.texels.empty()) {
-    throw InputError(fmt::format(
-        "none of {} light paths hits a surface: the lights shine away from everything, or are beyond it",
-        job.paths * job.sets));
-  }
+  if (lights.texels.empty())
+    throw InputError("no light path hits a surface; turn the lights to the scene, or trace more paths");
   const std::size_t bytes = 16 * lights.texels.size();
   const bool fits = state.kernels.texel_fetch() ? lights.texels.size() <= state.description.max_texels
                                                 : bytes <= state.description.max_storage_bytes;

@@ -24,6 +24,11 @@ std::uint32_t permute(std::uint32_t index, std::uint32_t count, std::uint32_t ke
   return x;
 }
 
+std::uint32_t path_point(std::uint32_t seed, std::uint32_t set, std::uint32_t path, std::uint32_t paths,
+                         std::uint32_t bounce, std::uint32_t pair) {
+  return permute(path, paths, set_words(seed, bounce, pair, kPurposePaths + set)[1]);
+}
+
 std::uint32_t component_choice(std::uint32_t seed, std::uint32_t pixel, std::uint32_t part,
                                std::uint32_t index, const Split& split, bool separate) {
   const std::uint32_t number = layout::kPairComponent + (part << 16);

@@ -19,4 +19,11 @@ std::uint32_t permute(std::uint32_t index, std::uint32_t count, std::uint32_t ke
 std::uint32_t component_choice(std::uint32_t seed, std::uint32_t pixel, std::uint32_t part,
                                std::uint32_t index, const Split& split, bool separate);
 
+/// Which point of its set a light path takes in a dimension pair of a bounce: any, by a random permutation of
+/// each pair's own. The samplers' own orders will not do for what is multiplied: in sets that are stored by
+/// place, blocks of neighbours stay together, and paths that start together would go on together. Same bits
+/// in shaders/sampling/choice.glsl.
+std::uint32_t path_point(std::uint32_t seed, std::uint32_t set, std::uint32_t path, std::uint32_t paths,
+                         std::uint32_t bounce, std::uint32_t pair);
+
 }  // namespace capcon

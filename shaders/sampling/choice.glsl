@@ -20,6 +20,10 @@ uint permute(uint index, uint count, uint key) {
   return count > 1u ? x : 0u;
 }
 
+uint path_point(uint seed, uint set, uint path, uint paths, uint bounce, uint pair) {
+  return permute(path, paths, set_words(seed, bounce, pair, kPurposePaths + set).y);
+}
+
 uint component_choice(uint seed, uint pixel, uint part, uint index, uvec4 split, bool separate) {
   uint number = kPairComponent + (part << 16u);
   uint cell = permute(index, split.y, set_words(seed, pixel, number, kPurposeSet).y);

@@ -17,7 +17,8 @@ layout(set = 0, binding = kBindPaths, std430) buffer Paths { uvec4 paths[]; };
 bool separate_sets() { return (push.flags & kDirectSeparate) != 0u; }
 
 // The point of path `index` of `set` of a dimension pair of a bounce.
-uvec2 path_point(uint set, uint index, uint bounce, uint pair, uint domain) {
+uvec2 path_bits(uint set, uint index, uint bounce, uint pair, uint domain) {
+  index = path_point(push.seed, set, index, push.split.y, bounce, pair);
   bool separate = separate_sets();
   uint dimension = separate ? pair + (set << 16u) : pair;
   uint sets = separate ? 1u : push.split.x;
