@@ -8,7 +8,7 @@
 namespace capcon {
 
 double default_geometry_limit(const Scene& scene) {
-  const double distance = 0.007 * 2 * scene_bounds(scene).radius;
+  const double distance = 0.04 * 2 * scene_bounds(scene).radius;
   return distance > 0 ? 1 / (distance * distance) : 1;
 }
 

@@ -32,7 +32,7 @@ struct VirtualLights {
 };
 
 /// The limit of the geometry term for renders that were told none: that of two surfaces that face each other
-/// at 0.007 of the diagonal of the scene's bounding box.
+/// at 0.04 of the diagonal of the scene's bounding box.
 double default_geometry_limit(const Scene& scene);
 
 /// Shares of 0.32 fixed point by which paths choose lights: thresholds[j] is where light j's part of [0, 1)
