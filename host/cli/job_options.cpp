@@ -46,7 +46,7 @@ void JobOptions::add_to(CLI::App& verb) {
   verb.add_option(
           "--sampler", sampler,
           "Where sample points come from: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo "
-          "halton")
+          "halton lattice pmj02")
       ->capture_default_str();
   auto* count = verb.add_option("--samples", samples,
                                 "ao: occlusion rays a pixel; direct, igi: as --split 1xN; path: paths")

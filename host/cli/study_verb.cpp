@@ -225,8 +225,7 @@ void add_samples(CLI::App* study, const std::shared_ptr<Options>& o) {
   study
       ->add_option("--samplers", o->settings.samplers,
                    "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton "
-                   "(default: all but "
-                   "the last two)")
+                   "lattice pmj02 (default: all but the last four)")
       ->delimiter(',')
       ->allow_extra_args(false);
   study->add_option("--samples", o->samples, "samples a pixel: counts and doubling ranges")

@@ -29,7 +29,9 @@ const std::vector<std::pair<std::string, Maker>>& makers() {
       {"capcon", make_capcon_sampler},
       {"capcon-domain", make_capcon_domain_sampler},
       {"fpo", make_fpo_sampler},
-      {"halton", make_halton_sampler}};
+      {"halton", make_halton_sampler},
+      {"lattice", make_lattice_sampler},
+      {"pmj02", make_pmj02_sampler}};
   return all;
 }
 }  // namespace

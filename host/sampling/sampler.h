@@ -78,11 +78,12 @@ class Sampler {
   std::uint32_t seed_;
 };
 
-/// Names that make_sampler knows: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton.
+/// Names that make_sampler knows: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton
+/// lattice pmj02.
 const std::vector<std::string>& sampler_names();
 
-/// Those that studies of ambient occlusion and of direct lighting compare unless told otherwise: all but fpo
-/// and halton, whose sets are shifted like ccvt's and which are there for comparison with the literature.
+/// Those that studies of ambient occlusion and of direct lighting compare unless told otherwise: all but fpo,
+/// halton, lattice and pmj02, which are there for comparison with the literature.
 const std::vector<std::string>& default_study_samplers();
 
 /// A sampler for sets of `count` points in `parts` parts of the same size. Point generation (ccvt, fpo)

@@ -23,6 +23,11 @@ std::unique_ptr<Sampler> make_ccvt_sampler(std::uint32_t count, std::uint32_t se
 std::unique_ptr<Sampler> make_fpo_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 /// The Halton sequence in bases 2 and 3, turned like ccvt's; parts are successive points.
 std::unique_ptr<Sampler> make_halton_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
+/// The rank-1 lattice of largest minimum distance (Dammertz and Keller 2008), turned like ccvt's.
+std::unique_ptr<Sampler> make_lattice_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
+/// Progressive multi-jittered (0,2)-sequences (Christensen, Kensler and Kilpatrick 2018): one of several
+/// stored ones and an XOR a set.
+std::unique_ptr<Sampler> make_pmj02_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 /// The shipped corner tiles: a stochastic toroidal tiling and a rotation a set.
 std::unique_ptr<Sampler> make_capcon_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 

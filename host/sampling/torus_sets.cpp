@@ -1,6 +1,8 @@
 #include "points/ccvt.h"
 #include "points/fpo.h"
+#include "points/lattice_points.h"
 #include "points/sobol.h"
+#include "points/spread_partition.h"
 #include "sampling/rotated_set.h"
 #include "sampling/samplers.h"
 
@@ -10,6 +12,24 @@ namespace {
 // More space points a site change the integration error by less than 3 % (design measurements: K = 256
 // against 1024).
 constexpr std::uint32_t kCapacity = 256;
+
+/// Every parts-th point of a lattice and its shifts: lattices themselves, the only ones that it falls into,
+/// and well or badly spread as it happens.
+Points coset_by_coset(const Points& lattice, std::uint32_t parts) {
+  Points ordered;
+  ordered.reserve(lattice.size());
+  for (std::uint32_t p = 0; p < parts; ++p)
+    for (std::size_t i = p; i < lattice.size(); i += parts) ordered.push_back(lattice[i]);
+  return ordered;
+}
+
+/// The mean of subset_spacing for parts one after another.
+double spacing_of_parts(const Points& points, std::uint32_t parts) {
+  std::vector<std::uint32_t> labels(points.size());
+  for (std::uint32_t i = 0; i < labels.size(); ++i)
+    labels[i] = i / static_cast<std::uint32_t>(points.size() / parts);
+  return subset_spacing(points, labels, parts).mean;
+}
 
 }  // namespace
 
@@ -37,6 +57,15 @@ std::unique_ptr<Sampler> make_halton_sampler(std::uint32_t count, std::uint32_t 
   points.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) points.emplace_back(radical_inverse(i, 2), radical_inverse(i, 3));
   return make_rotated_set_sampler("halton", points, seed, parts);
+}
+
+std::unique_ptr<Sampler> make_lattice_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts) {
+  Points points = lattice_points(LatticeKind::kMaximin, count);
+  if (parts > 1) {
+    Points cosets = coset_by_coset(points, parts), labelled = part_by_part(points, parts);
+    points = spacing_of_parts(cosets, parts) > spacing_of_parts(labelled, parts) ? cosets : labelled;
+  }
+  return make_rotated_set_sampler("lattice", points, seed, parts);
 }
 
 }  // namespace capcon
