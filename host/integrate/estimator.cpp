@@ -114,7 +114,7 @@ const std::vector<Estimator>& estimators() {
       if (method == "ccvt" || method == "fpo" || method == "lloyd")
         list.push_back({method + "-areas", method, Weights::areas});
     }
-    list.push_back({"capcon", "capcon", Weights::equal});
+    for (const char* sampler : {"capcon", "pmj02"}) list.push_back({sampler, sampler, Weights::equal});
     return list;
   }();
   return all;
@@ -130,7 +130,7 @@ const Estimator& find_estimator(std::string_view name) {
 }
 
 std::unique_ptr<PointSource> make_source(const std::string& method, std::uint32_t n, std::uint64_t seed) {
-  if (method == "capcon") return std::make_unique<SamplerSource>(method, n, seed);
+  if (method == "capcon" || method == "pmj02") return std::make_unique<SamplerSource>(method, n, seed);
   if (has_own_randomness(method)) return std::make_unique<FreshSource>(method, n, seed);
   return std::make_unique<ShiftedSource>(method, n, seed);
 }
@@ -141,6 +141,7 @@ std::uint32_t base_sets(std::uint32_t n) {
 
 std::string randomisation_of(const std::string& method) {
   if (method == "capcon") return "another stochastic tiling and a random shift on the torus";
+  if (method == "pmj02") return "another of 64 sequences or fewer, and another digit scrambling";
   if (method == "sobol-xor") return "another digit scrambling";
   if (method == "sobol-owen") return "another Owen scrambling";
   if (has_own_randomness(method)) return "new points";

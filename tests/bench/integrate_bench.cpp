@@ -1,5 +1,6 @@
 // What samplers err on the battery of docs/integrate.md, one set a trial:
 //   integrate_bench sets [trials] [samplers...]   MSE beside Owen-scrambled points, disk and square
+//   integrate_bench peers [trials] [samplers...]  the same of every family, with 95 % intervals
 //   integrate_bench parts [trials] [samplers...]  parts of trajectory splitting: their spacing, their error
 //                                                 beside whole sets of as many points, and that of their
 //                                                 union beside as many independent sets
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -97,6 +99,57 @@ void compare_sets(std::size_t trials, const std::vector<std::string>& samplers) 
   }
 }
 
+/// Sums of squared errors of whole sets, a chunk of trials each.
+std::vector<double> chunks_of(const Sampler& sampler, const Family& family, std::size_t trials) {
+  std::vector<double> sums(kChunks);
+  parallel_for(kChunks, [&](std::size_t chunk) {
+    for (std::size_t trial = chunk; trial < trials; trial += kChunks) {
+      const auto draw = family.integrand->draw(5, trial);
+      const double error =
+          draw.average(set_of(sampler, static_cast<std::uint32_t>(trial), family), {}) - draw.integral;
+      sums[chunk] += error * error;
+    }
+  });
+  return sums;
+}
+
+struct Ratio {
+  double value = 0, half_width = 0;
+};
+
+/// Of two sums, with the jackknife's interval over chunks.
+Ratio ratio_of(const std::vector<double>& above, const std::vector<double>& below) {
+  constexpr double kStudent = 1.998;  // 63 degrees of freedom, 0.975
+  const double a = std::accumulate(above.begin(), above.end(), 0.0),
+               b = std::accumulate(below.begin(), below.end(), 0.0);
+  double squares = 0;
+  for (std::size_t i = 0; i < kChunks; ++i) {
+    const double left_out = (a - above[i]) / (b - below[i]) - a / b;
+    squares += left_out * left_out;
+  }
+  return {a / b, kStudent * std::sqrt(squares * (kChunks - 1) / kChunks)};
+}
+
+void compare_peers(std::size_t trials, const std::vector<std::string>& samplers) {
+  const auto all = families({"edge-on-disk", "blocker", "leaves", "smooth-disk", "shaded-edge", "half-plane",
+                             "disk", "soft-shadow", "smooth"});
+  for (const std::uint32_t n : {16u, 64u, 256u}) {
+    const std::size_t used = std::max<std::size_t>(1000, trials / (n / 16));
+    const auto owen = make_sampler("sobol-owen", n, 1);
+    std::map<std::string, std::vector<double>> base;
+    for (const Family& f : all) base[f.integrand->name] = chunks_of(*owen, f, used);
+    for (const std::string& name : samplers) {
+      const auto sampler = make_sampler(name, n, 1);
+      fmt::print("n {:4} {:14}", n, name);
+      for (const Family& f : all) {
+        const Ratio r = ratio_of(chunks_of(*sampler, f, used), base[f.integrand->name]);
+        fmt::print("  {} {:.3f} +- {:.3f}", f.integrand->name, r.value, r.half_width);
+      }
+      fmt::print("\n");
+    }
+  }
+}
+
 SubsetSpacing spacing_of(const Sampler& sampler, std::uint32_t pixels) {
   SubsetSpacing total{0, 1e300};
   std::vector<std::uint32_t> labels(sampler.count());
@@ -171,6 +224,9 @@ int main(int count, char** words) {
   } else if (what == "paths") {
     if (samplers.empty()) samplers = sampler_names();
     compare_paths(trials, samplers);
+  } else if (what == "peers") {
+    if (samplers.empty()) samplers = {"lattice", "pmj02", "sobol-xor", "capcon-domain"};
+    compare_peers(trials, samplers);
   } else {
     if (samplers.empty()) samplers = {"capcon-domain"};
     compare_sets(trials, samplers);
