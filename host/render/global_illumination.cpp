@@ -4,16 +4,14 @@
 
 #include "base/error.h"
 #include "render/direct_lighting.h"
-#include "render/direct_pass.h"
-#include "render/gather.h"
+#include "render/gather_pass.h"
 #include "render/receivers.h"
 
 namespace capcon {
 namespace {
 
-constexpr std::uint32_t kMostLevels = 64;                          // surfaces of a chain of compensation rays
-constexpr std::uint32_t kCompensationRays = 1u << 17;              // of a batch
-constexpr std::uint32_t kFewestColumns = 32, kMostColumns = 4096;  // virtual lights of a batch
+constexpr std::uint32_t kMostLevels = 64;              // surfaces of a chain of compensation rays
+constexpr std::uint32_t kCompensationRays = 1u << 17;  // of a batch
 
 std::uint32_t gather_seed(std::uint32_t seed) {
   return seed ^ 0x67617468u;
@@ -38,11 +36,11 @@ KernelVariant compensation_variant(std::uint32_t sampler_id) {
 }
 
 /// One job under way.
-class GlobalIlluminationPass : public DirectLightingPass {
+class GlobalIlluminationPass : public GatherPass {
  public:
   GlobalIlluminationPass(RendererState& state, const GlobalIlluminationJob& job, int first_row, int rows,
                          const std::function<void(double)>& on_progress)
-      : DirectLightingPass(state, job.direct, first_row, rows, on_progress),
+      : GatherPass(state, job.direct, first_row, rows, on_progress),
         igi_(job),
         compensates_(job.clamping == Clamping::compensate),
         limit_(static_cast<float>(job.limit > 0 ? job.limit : state.geometry_limit)) {
@@ -118,37 +116,8 @@ class GlobalIlluminationPass : public DirectLightingPass {
     set_ = j * igi_.block * igi_.block;
     const GatherWork work{
         band_, band_pixels_, band_, set_, igi_.block, static_cast<std::uint32_t>(s_.film.width), limit};
-    gather(*gather_, *sum_, work, static_cast<float>(weight * job_.samples()));
+    gather(*gather_, *sum_, work, igi_.two_sided, static_cast<float>(weight * job_.samples()));
     if (compensates_) compensate(part, weight);
-  }
-
-  /// Adds what virtual lights bring to the sums of these pixels or receivers.
-  void gather(gpu::Kernel& kernel, gpu::Kernel& sum, GatherWork work, float weight) {
-    const bool pixels = &sum == sum_;
-    std::uint32_t most = 0;
-    for (std::uint32_t c = 0; c < work.block * work.block; ++c)
-      most = std::max(most, lights_.count(work.first_set + c));
-    if (most == 0 || work.pixel_count == 0) return;
-    const auto fitting = static_cast<std::uint32_t>(kBatchLanes / work.pixel_count);
-    const std::uint32_t columns = std::min(most, std::clamp(fitting, kFewestColumns, kMostColumns));
-    const std::uint32_t piece = static_cast<std::uint32_t>(kBatchLanes) / columns;
-    layout::GatherConstants push{};
-    push.tree = s_.tree;
-    push.eye = with_word(s_.view.eye, 0u);
-    push.two_sided = igi_.two_sided ? 1 : 0;
-    const std::uint32_t end = work.first_pixel + work.pixel_count;
-    for (; work.first_pixel < end; work.first_pixel += piece) {
-      work.pixel_count = std::min(piece, end - work.first_pixel);
-      for (std::uint32_t first = 0; first < most; first += columns) {
-        const std::uint32_t count = std::min(columns, most - first);
-        gather_batch(work, lights_, push, first, count, [&](const auto& batch, std::uint32_t groups) {
-          submit(kernel, &batch, groups, pixels ? "gather" : "compensation");
-        });
-        add_up(sum, work.first_pixel, work.pixel_count, count, work.band, weight);
-        rays_ += std::uint64_t(work.pixel_count) * count;
-        if (pixels) progress(static_cast<double>(work.pixel_count) * count, all_work_);
-      }
-    }
   }
 
   /// What the limit leaves out, by rays from each pixel, and what those meet.
@@ -210,7 +179,7 @@ class GlobalIlluminationPass : public DirectLightingPass {
     for (std::uint32_t c = 0; c < igi_.block * igi_.block; ++c) {
       const std::uint32_t first = receivers.first[c];
       gather(*gather_beyond_, *sum_beyond_,
-             {first, receivers.first[c + 1] - first, 0, set_ + c, 1, 1, limit_}, 1);
+             {first, receivers.first[c + 1] - first, 0, set_ + c, 1, 1, limit_}, igi_.two_sided, 1);
     }
     s_.receiver_sums.download(sums.data(), 16 * sums.size());
     for (std::uint32_t r = 0; r < count; ++r) {
@@ -251,7 +220,6 @@ class GlobalIlluminationPass : public DirectLightingPass {
   const GlobalIlluminationJob& igi_;
   bool compensates_;
   float limit_;
-  DeviceVirtualLights lights_;
   SamplerTables gather_tables_;
   Split gather_split_;
   DirectVariants direct_;
@@ -259,8 +227,6 @@ class GlobalIlluminationPass : public DirectLightingPass {
               *sum_beyond_ = nullptr;
   std::uint32_t set_ = 0;  ///< of the pixel at block (0, 0), the one that lights now
   std::vector<double> more_;
-  std::uint64_t rays_ = 0;
-  double all_work_ = 1;
 };
 
 }  // namespace

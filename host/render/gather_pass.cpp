@@ -1,18 +1,11 @@
-#pragma once
+#include "render/gather_pass.h"
 
-#include "render/light_paths.h"
-#include "render/pass.h"
+#include <algorithm>
 
 namespace capcon {
+namespace {
 
-/// Rays from surfaces to virtual lights.
-struct GatherWork {
-  std::uint32_t first_pixel = 0, pixel_count = 0;  ///< pixels, or receivers
-  std::uint32_t band = 0;
-  std::uint32_t first_set = 0;  ///< of the pixel at block (0, 0); the others' follow
-  std::uint32_t block = 1, width = 1;
-  float limit = 3e38f;
-};
+constexpr std::uint32_t kFewestColumns = 32, kMostColumns = 4096;  // virtual lights of a batch
 
 /// Calls dispatch(push, groups) for the pieces of a batch, one for each pixel of a block: virtual lights
 /// `first` ... `first` + `columns` - 1 of each set, as far as there are any.
@@ -47,6 +40,37 @@ void gather_batch(const GatherWork& work, const DeviceVirtualLights& lights, lay
     const std::uint32_t groups = push.lanes / layout::kGroupSize * columns;
     push.group_stride = spreading_stride(groups);
     dispatch(push, groups);
+  }
+}
+
+}  // namespace
+
+void GatherPass::gather(gpu::Kernel& kernel, gpu::Kernel& sum, GatherWork work, bool two_sided,
+                        float weight) {
+  const bool pixels = &sum == sum_;
+  std::uint32_t most = 0;
+  for (std::uint32_t c = 0; c < work.block * work.block; ++c)
+    most = std::max(most, lights_.count(work.first_set + c));
+  if (most == 0 || work.pixel_count == 0) return;
+  const auto fitting = static_cast<std::uint32_t>(kBatchLanes / work.pixel_count);
+  const std::uint32_t columns = std::min(most, std::clamp(fitting, kFewestColumns, kMostColumns));
+  const std::uint32_t piece = static_cast<std::uint32_t>(kBatchLanes) / columns;
+  layout::GatherConstants push{};
+  push.tree = s_.tree;
+  push.eye = with_word(s_.view.eye, 0u);
+  push.two_sided = two_sided ? 1 : 0;
+  const std::uint32_t end = work.first_pixel + work.pixel_count;
+  for (; work.first_pixel < end; work.first_pixel += piece) {
+    work.pixel_count = std::min(piece, end - work.first_pixel);
+    for (std::uint32_t first = 0; first < most; first += columns) {
+      const std::uint32_t count = std::min(columns, most - first);
+      gather_batch(work, lights_, push, first, count, [&](const auto& batch, std::uint32_t groups) {
+        submit(kernel, &batch, groups, pixels ? "gather" : "compensation");
+      });
+      add_up(sum, work.first_pixel, work.pixel_count, count, work.band, weight);
+      rays_ += std::uint64_t(work.pixel_count) * count;
+      if (pixels) progress(static_cast<double>(work.pixel_count) * count, all_work_);
+    }
   }
 }
 
