@@ -10,7 +10,7 @@ namespace capcon {
 /// Kilpatrick, "Progressive Multi-Jittered Sample Sequences", 2018), as 0.32 fixed point; `seed` chooses
 /// among the sequences. Every prefix of 4^k points has one point in each cell of the 2^k x 2^k grid, and
 /// every block of 2^m points that begins at a multiple of 2^m, prefixes among them, one in each elementary
-/// interval of area 2^-m. 1 <= count <= 2^30; O(count log count), 2 ms for 4096.
+/// interval of area 2^-m. 1 <= count <= 2^30; O(count log count), 0.4 ms for 4096.
 ///
 /// Points are placed as the paper does: a point's quadrant is that of the point half or a quarter of the
 /// sequence before it, in the sub-quadrant across, then beside it by x or by y; the stratum there is the one
