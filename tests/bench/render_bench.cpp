@@ -1,7 +1,8 @@
 // Renders against the anchor scenes' reference images (not part of the project): render_bench FOLDER
-// [b|c|dr|dc]. Scene B: error at 16 samples of each sampler, and converged. Scene C: what remains, material
-// by material, with our materials and with pbrt-v2's own models as tables. Scene D, instant global
-// illumination: rows of sets (dr), and converged (dc).
+// [b|c|dr|dc|da]. Scene B: error at 16 samples of each sampler, and converged. Scene C: what remains,
+// material by material, with our materials and with pbrt-v2's own models as tables. Scene D, instant global
+// illumination: rows of sets (dr), converged (dc), and the
+// device beside the reference with the same virtual lights (da).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -179,7 +180,7 @@ void bench_c(const std::filesystem::path& folder) {
 
 int main(int count, char** words) {
   if (count < 2) {
-    fmt::print(stderr, "usage: render_bench FOLDER [b|c|dr|dc], the folder of the anchor scenes\n");
+    fmt::print(stderr, "usage: render_bench FOLDER [b|c|dr|dc|da], the folder of the anchor scenes\n");
     return 2;
   }
   const std::string which = count > 2 ? words[2] : "bc";
