@@ -16,8 +16,8 @@ constexpr std::uint32_t kMost =
 
 std::vector<glm::uvec4> sample_order(const Sampler& sampler) {
   const std::uint32_t count = sampler.count();
-  const bool gains =
-      sampler.name() == "sobol-xor" || sampler.name() == "sobol-owen" || sampler.name() == "jittered";
+  const bool gains = sampler.name() == "sobol-xor" || sampler.name() == "sobol-owen" ||
+                     sampler.name() == "pmj02" || sampler.name() == "jittered";
   if (!gains || count < kFewest || count > kMost) return {};
   std::vector<std::uint64_t> keys(count);
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <utility>
+
+#include "base/morton.h"
 #include "points/ccvt.h"
 #include "points/fpo.h"
 #include "points/lattice_points.h"
@@ -17,12 +21,18 @@ constexpr std::uint32_t kCapacity = 256;
 constexpr double kSpreadEnough = 0.9;
 
 /// Every parts-th point of a lattice and its shifts: lattices themselves, the only ones that it falls into,
-/// and well or badly spread as it happens.
+/// and well or badly spread as it happens. Each in Morton order: neighbours' rays go much the same way.
 Points coset_by_coset(const Points& lattice, std::uint32_t parts) {
   Points ordered;
   ordered.reserve(lattice.size());
-  for (std::uint32_t p = 0; p < parts; ++p)
+  for (std::uint32_t p = 0; p < parts; ++p) {
     for (std::size_t i = p; i < lattice.size(); i += parts) ordered.push_back(lattice[i]);
+    std::sort(ordered.end() - static_cast<std::ptrdiff_t>(lattice.size() / parts), ordered.end(),
+              [](glm::dvec2 a, glm::dvec2 b) {
+                const FixedPoint u = to_fixed(a), v = to_fixed(b);
+                return morton_code(u.x, u.y) < morton_code(v.x, v.y);
+              });
+  }
   return ordered;
 }
 
@@ -63,12 +73,12 @@ std::unique_ptr<Sampler> make_halton_sampler(std::uint32_t count, std::uint32_t 
 }
 
 std::unique_ptr<Sampler> make_lattice_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts) {
-  Points points = lattice_points(LatticeKind::kMaximin, count);
-  if (parts > 1) {
-    const Points cosets = coset_by_coset(points, parts);
-    const double spacing = spacing_of_parts(cosets, parts);
-    if (spacing < kSpreadEnough) points = part_by_part(points, parts);
-    if (spacing >= kSpreadEnough || spacing > spacing_of_parts(points, parts)) points = cosets;
+  const Points lattice = lattice_points(LatticeKind::kMaximin, count);
+  Points points = coset_by_coset(lattice, parts);
+  const double spacing = parts > 1 ? spacing_of_parts(points, parts) : 1;
+  if (spacing < kSpreadEnough) {
+    Points labelled = part_by_part(lattice, parts);
+    if (spacing_of_parts(labelled, parts) > spacing) points = std::move(labelled);
   }
   return make_rotated_set_sampler("lattice", points, seed, parts);
 }

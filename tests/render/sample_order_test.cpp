@@ -32,6 +32,27 @@ TEST(SampleOrder, NeighboursShareACellInEveryPixel) {
   }
 }
 
+// Its pixels choose among sequences, which have square cells in common: four neighbours of 64 share one
+// of 16.
+TEST(SampleOrder, NeighboursShareACellInEverySequenceOfPmj02) {
+  const auto sampler = make_sampler("pmj02", 64, 5);
+  const auto order = sample_order(*sampler);
+  ASSERT_EQ(order.size(), 64u);
+  for (std::uint32_t pixel = 0; pixel < 100; ++pixel) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> all;
+    for (std::uint32_t group = 0; group < 16; ++group) {
+      std::set<std::pair<std::uint32_t, std::uint32_t>> cells;
+      for (std::uint32_t lane = 0; lane < 4; ++lane) {
+        const FixedPoint p = sampler->sample(pixel, order[4 * group + lane].x, 0, SampleDomain::disk);
+        cells.emplace(p.x >> 30, p.y >> 30);
+      }
+      EXPECT_EQ(cells.size(), 1u) << pixel << " group " << group;
+      all.merge(cells);
+    }
+    EXPECT_EQ(all.size(), 16u);
+  }
+}
+
 TEST(SampleOrder, NoneWhereThereIsNoneToGain) {
   EXPECT_TRUE(sample_order(*make_sampler("random", 64, 1)).empty());
   EXPECT_TRUE(sample_order(*make_sampler("capcon", 64, 1)).empty());
