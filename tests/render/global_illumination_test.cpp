@@ -125,6 +125,25 @@ TEST(GlobalIlluminationScenes, StayFiniteWhereVirtualLightsAreNear) {
   }
 }
 
+// A lamp that reflects, a triangle without area, and a camera that the light's closed box keeps out.
+TEST(GlobalIlluminationScenes, TakesLampsDegenerateTrianglesAndClosedBoxesAsTheyAre) {
+  const std::string sliver =
+      within(matte(0.9) +
+             "Shape \"trianglemesh\" \"point3 P\" [-.5 .5 .3 .5 -.5 .3 0 0 .3 0 0 .3] \"integer "
+             "indices\" [0 1 2 2 3 2 0 0 0] ");
+  const Scene scene =
+      furnished_corner(sliver + lamp(matte(0.8) + "Translate -.4 .2 .9 Shape \"sphere\" \"float radius\" .2",
+                                     "\"bool twosided\" true "));
+  Renderer renderer(scene, lavapipe());
+  expect_agreement("sliver and lamp", renderer, Reference(scene), room_job(), 1e-4, 3);
+
+  const Scene box =
+      test::view_of(within(matte(0.8) + test::kBox) + lamp("Shape \"sphere\" \"float radius\" .2"), {3, 2, 2},
+                    {0, 0, 0}, 40, 16);
+  Renderer outside(box, lavapipe());
+  for (const float v : outside.render(room_job()).image.pixels) ASSERT_EQ(v, 0);
+}
+
 TEST(GlobalIlluminationScenes, SaysWhenNoPathHitsAnything) {
   const std::string away = lamp("Translate 0 0 2 Shape \"disk\" \"float radius\" .1");  // shines upwards
   Renderer renderer(test::corner_view(within(matte(0.5) + "Shape \"disk\" \"float radius\" 1 ") + away),
