@@ -128,7 +128,7 @@ TEST(GlobalIlluminationEstimates, WithoutAndWithClamping) {
   GlobalIlluminationJob job = test::global_job();
   job.sampler = "sobol-owen";
   job.clamping = Clamping::none;
-  expect_agreement(reference, job, 64, truth_of(reference));
+  expect_agreement(reference, job, 96, truth_of(reference));
   job.only_indirect = false;
   job.clamping = Clamping::compensate;
   expect_agreement(reference, job, 64, truth_of(reference, false));

@@ -1,6 +1,9 @@
 // Light paths: the power that they carry, and the points that they are made of.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include <numbers>
 
 #include "reference/global.h"
@@ -142,7 +145,7 @@ TEST(LightPaths, LightFromAfarFallsOnWhatIsInItsWay) {
   }
 }
 
-/// Where the paths of all sets first hit, path by path.
+/// Where the paths of these sets first hit, in an order of place.
 std::vector<glm::dvec3> first_hits(const VirtualLights& lights, std::uint32_t from, std::uint32_t to) {
   std::vector<glm::dvec3> hits;
   for (std::uint32_t set = from; set < to; ++set) {
@@ -150,6 +153,9 @@ std::vector<glm::dvec3> first_hits(const VirtualLights& lights, std::uint32_t fr
       if (lights.lights[k].bounce == 1) hits.push_back(lights.lights[k].position);
     }
   }
+  std::sort(hits.begin(), hits.end(), [](const glm::dvec3& a, const glm::dvec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  });
   return hits;
 }
 
@@ -158,7 +164,7 @@ TEST(LightPaths, SetsArePartsOfOneSet) {
   const std::string light = lamp("Translate 0 0 .5 Shape \"disk\" \"float radius\" .3");
   const Scene scene = test::parse_world(matte(0.5) + kBox + light, {true, true, true});
   const Reference reference(scene);
-  // A distant light alone: where it hits depends on u, whose order is that of the set.
+  // A distant light alone: where it hits depends on u.
   const std::string sun = "LightSource \"distant\" \"point3 from\" [0 0 1] \"point3 to\" [0 0 0]\n";
   const Scene sunny = test::parse_world(matte(0) + test::kFloor + sun, {true, true, true});
   const Reference under_sun(sunny);
