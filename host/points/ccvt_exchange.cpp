@@ -6,7 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "points/ccvt_checks.h"
 #include "points/ccvt_keys.h"
+#include "points/checks.h"
 
 namespace capcon {
 
@@ -102,9 +104,7 @@ float compare_images(const CcvtCells& cells, std::size_t s, std::size_t t, std::
   return largest;
 }
 
-}  // namespace
-
-std::uint32_t exchange(CcvtCells& cells, std::size_t i, std::size_t j, CcvtScratch& scratch) {
+std::uint32_t exchange_best(CcvtCells& cells, std::size_t i, std::size_t j, CcvtScratch& scratch) {
   static const CcvtKernels kernels = best_ccvt_kernels();
   const std::uint32_t capacity = cells.capacity();
   const CcvtSite& a = cells.sites[i];
@@ -160,6 +160,18 @@ std::uint32_t exchange(CcvtCells& cells, std::size_t i, std::size_t j, CcvtScrat
   scratch.count_i = collect(kernels, scratch.keys_i, count_i, limit - most_j, scratch.from_i);
   scratch.count_j = collect(kernels, scratch.keys_j, count_j, limit - most_i, scratch.from_j);
   return trade(cells, i, j, limit, scratch);
+}
+
+}  // namespace
+
+std::uint32_t exchange(CcvtCells& cells, std::size_t i, std::size_t j, CcvtScratch& scratch) {
+  if constexpr (kChecks) {
+    const ExchangeCheck check(cells, i, j);
+    const std::uint32_t count = exchange_best(cells, i, j, scratch);
+    check.end(count);
+    return count;
+  }
+  return exchange_best(cells, i, j, scratch);
 }
 
 }  // namespace capcon

@@ -4,9 +4,11 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "points/ccvt_checks.h"
 #include "points/ccvt_exchange.h"
 #include "points/ccvt_leads.h"
 #include "points/ccvt_pairs.h"
+#include "points/checks.h"
 
 namespace capcon {
 
@@ -56,6 +58,12 @@ CcvtEffort optimise(CcvtCells& cells, const CcvtPace& pace, const std::function<
   CcvtScratch scratch;
   CcvtLeads leads(pace.lead);
   double exchanges_a_pair = 1;  // in the last pass
+  const auto content = [&] { return content_of(cells.x(0), cells.y(0), cells.size() * cells.capacity()); };
+  [[maybe_unused]] std::uint64_t content_before = 0;
+  if constexpr (kChecks) content_before = content();
+  // The passes end: without leads every exchange lowers the energy by more than its rounding
+  // (ccvt_exchange.cpp), so no assignment of the points comes twice, and there are finitely many. With leads
+  // a pace has its most passes.
   for (;;) {
     leads.renew(cells);
     pairs.refresh(cells);
@@ -98,6 +106,8 @@ CcvtEffort optimise(CcvtCells& cells, const CcvtPace& pace, const std::function<
     }
   }
   leads.end(cells);
+  if constexpr (kChecks)
+    require(content() == content_before, "ccvt: the passes lost or doubled a space point");
   return effort;
 }
 

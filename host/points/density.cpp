@@ -20,7 +20,9 @@ double inverse(const double* before, std::size_t count, double u) {
   if (k > count)
     k = static_cast<std::size_t>(std::lower_bound(before, before + count + 1, before[count]) - before);
   const double place = (target - before[k - 1]) / (before[k] - before[k - 1]);
-  return static_cast<double>(k - 1) + std::clamp(place, 0.0, 1 - 0x1p-40);
+  // Below k also where 2^-40 is less than the rounding there: beyond 8192 texels.
+  return std::min(static_cast<double>(k - 1) + std::clamp(place, 0.0, 1 - 0x1p-40),
+                  std::nextafter(static_cast<double>(k), 0.0));
 }
 
 void check(double value, const std::string& place) {

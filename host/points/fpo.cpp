@@ -9,8 +9,10 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "points/checks.h"
 #include "points/dynamic_voronoi.h"
 #include "points/lattice.h"
+#include "points/parted.h"
 
 namespace capcon {
 
@@ -22,6 +24,8 @@ constexpr double kEnough = 4e-4;  // a smaller gain by that many passes is the e
 // measured, 40 passes then get farther than 110 without.
 constexpr double kBeyond = 0.7;
 constexpr double kNear = 0.1;  // of the empty circle's radius
+
+constexpr std::size_t kMostChecked = 256;  // points, each move by a look at all
 
 enum Stream : std::uint64_t { kStart = 0x66706f31, kOrder };
 
@@ -101,6 +105,7 @@ class Optimiser {
   std::uint32_t pass() {
     std::uint32_t moves = 0;
     for (const std::uint32_t i : order_) moves += move(i);
+    if constexpr (kChecks) check_cells();
     return moves;
   }
   double mean_distance() const {
@@ -161,7 +166,35 @@ class Optimiser {
       diagram_.undo_remove();
     }
     note_changed();
+    if constexpr (kChecks) {
+      if (order_.size() <= kMostChecked && moves)
+        check_step(Checked::kFpo, before2 - true_nearest2(i), 0, before2);
+    }
     return moves;
+  }
+  /// Squared distance from point i to the nearest other one or its own image, by a look at all.
+  double true_nearest2(std::uint32_t i) const {
+    double best = 1;
+    for (std::uint32_t j = 0; j < order_.size(); ++j) {
+      if (j == i) continue;
+      glm::dvec2 d = diagram_.position(j) - diagram_.position(i);
+      d -= glm::round(d);
+      best = std::min(best, glm::dot(d, d));
+    }
+    return best;
+  }
+  void check_cells() const {
+    double twice = 0;
+    for (std::uint32_t i = 0; i < order_.size(); ++i) {
+      const DynamicVoronoi::Cell& cell = diagram_.cell(i);
+      for (std::size_t k = 0; k < cell.size(); ++k) {
+        const glm::dvec2 a = cell[k].corner, b = cell[k + 1 < cell.size() ? k + 1 : 0].corner;
+        twice += a.x * b.y - a.y * b.x;
+      }
+      const glm::dvec2 p = diagram_.position(i);
+      require(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1, "fpo: a point is outside the square");
+    }
+    require(std::abs(0.5 * twice - 1) < 1e-9, "fpo: the cells do not cover the torus");
   }
 
   bool global_;
@@ -174,14 +207,16 @@ class Optimiser {
 
 Points fpo_from(const Points& start, const FpoOptions& options) {
   if (start.size() < 2) return start;
-  Optimiser optimiser(start, options);
+  Optimiser optimiser(parted(start), options);
   double mean = optimiser.mean_distance(), first_gain = 0;
+  // Ends: ten passes go on only if they raise the mean by a factor of 1 + kEnough, and it cannot exceed the
+  // hexagonal lattice's.
   for (;;) {
     std::uint32_t moves = 1;
     for (int pass = 0; pass < kPasses && moves > 0; ++pass) moves = optimiser.pass();
     const double next = optimiser.mean_distance(), gain = next / mean - 1;
     mean = next;
-    if (moves == 0 || gain < kEnough) break;
+    if (moves == 0 || !(gain >= kEnough)) break;
     // The gains fall about geometrically.
     if (first_gain == 0) first_gain = gain;
     if (options.on_progress)
@@ -202,8 +237,9 @@ Points fpo(const FpoOptions& options) {
   Points start;
   start.reserve(options.n);
   for (const std::uint32_t i : hilbert_order(random)) {
-    start.emplace_back((random[i].x + uniform64(options.seed, kStart, options.n + 2ull * i)) * 0x1p-32,
-                       (random[i].y + uniform64(options.seed, kStart, options.n + 2ull * i + 1)) * 0x1p-32);
+    start.push_back(wrapped(  // a coordinate just below 1 may round up to it
+        {(random[i].x + uniform64(options.seed, kStart, options.n + 2ull * i)) * 0x1p-32,
+         (random[i].y + uniform64(options.seed, kStart, options.n + 2ull * i + 1)) * 0x1p-32}));
   }
   return fpo_from(start, options);
 }

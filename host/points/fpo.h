@@ -26,7 +26,8 @@ struct FpoOptions {
 /// strategy). InputError for n = 0.
 Points fpo(const FpoOptions& options);
 
-/// The same from given points, which must differ from each other; `seed` gives the order.
+/// The same from given points in [0, 1)^2, which are parted first where they coincide (parted.h); `seed`
+/// gives the order.
 Points fpo_from(const Points& start, const FpoOptions& options);
 
 }  // namespace capcon

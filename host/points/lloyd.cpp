@@ -1,11 +1,13 @@
 #include "points/lloyd.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <utility>
 
 #include "base/parallel.h"
 #include "points/bounded_cells.h"
+#include "points/checks.h"
 #include "points/measure.h"
 #include "points/site_tree.h"
 #include "points/voronoi.h"
@@ -19,8 +21,27 @@ glm::dvec2 wrapped(glm::dvec2 p) {
   return {p.x < 1 ? p.x : 0, p.y < 1 ? p.y : 0};  // a tiny negative coordinate rounds up to 1
 }
 
-void torus_round(Points& points) {
+/// That the energy of a round is at most that of the one before, but for the rounding of its sums: sites at
+/// the centroids lower it for the cells that they had, and the nearest sites again.
+class FallingEnergy {
+ public:
+  void next(double energy, double rounding) {
+    if (energy_ > 0) check_step(Checked::kLloyd, energy - energy_, 1e-12 * energy_ + rounding, energy_);
+    require(std::isfinite(energy), "lloyd: the energy is not finite");
+    energy_ = energy;
+  }
+
+ private:
+  double energy_ = 0;
+};
+
+void torus_round(Points& points, [[maybe_unused]] FallingEnergy& falling) {
   const std::vector<VoronoiCell> cells = voronoi_cells(points);
+  if constexpr (kChecks) {
+    double energy = 0;
+    for (const VoronoiCell& cell : cells) energy += cell.second_moment;
+    falling.next(energy, 1e-16);
+  }
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = wrapped(points[i] + cells[i].centroid);
 }
 
@@ -37,8 +58,9 @@ class DiscreteCells {
         space_(spread(region, 256ull * n, seed)),
         owner_(space_.size(), 0) {}
 
-  void round(Points& points) {
+  void round(Points& points, [[maybe_unused]] FallingEnergy& falling) {
     assign(points);
+    if constexpr (kChecks) check(points, falling);
     std::vector<glm::dvec2> sum(points.size(), glm::dvec2(0));
     std::vector<std::uint32_t> count(points.size(), 0);
     for (std::size_t k = 0; k < space_.size(); ++k) {
@@ -53,6 +75,18 @@ class DiscreteCells {
   }
 
  private:
+  void check(const Points& points, FallingEnergy& falling) const {
+    const SiteTree tree(points, torus_);
+    double energy = 0;
+    for (std::size_t k = 0; k < space_.size(); ++k) {
+      const double distance2 = tree.distance2(space_[k], owner_[k]);
+      require(distance2 == tree.distance2(space_[k], tree.nearest(space_[k])),
+              "lloyd: a site is not the nearest");
+      energy += distance2;
+    }
+    falling.next(energy, 1e-30 * static_cast<double>(space_.size()));
+  }
+
   /// Each space point to its nearest site.
   void assign(const Points& points) {
     const SiteTree tree(points, torus_);
@@ -86,11 +120,12 @@ Points lloyd(const LloydOptions& options) {
   std::unique_ptr<DiscreteCells> discrete;
   if (region.density && options.rounds > 0)
     discrete = std::make_unique<DiscreteCells>(region, options.n, options.seed);
+  FallingEnergy falling;
   for (std::uint32_t round = 0; round < options.rounds; ++round) {
     if (discrete) {
-      discrete->round(points);
+      discrete->round(points, falling);
     } else if (region.domain == Domain::kTorus) {
-      torus_round(points);
+      torus_round(points, falling);
     } else {
       bounded_round(points, region.domain);
     }

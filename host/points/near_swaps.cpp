@@ -8,12 +8,15 @@
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "points/cell_swaps.h"
+#include "points/checks.h"
 
 namespace capcon {
 namespace {
 
 constexpr std::uint64_t kPairStream = 0x6e656172;
-constexpr float kLeastGain = 1e-4f;  // below this it is rounding
+// Below this it may be rounding, and a tie could swap for ever but for the passes and rounds, which are
+// counted.
+constexpr float kLeastGain = 1e-4f;
 constexpr int kPasses = 2;
 // Partners are looked for in the bins within kReach of a cell's own, which hold about kInBin cells of each
 // set: a hundred at most.
@@ -75,6 +78,8 @@ class NearSwaps {
     });
   }
 
+  void begin_round(std::uint32_t round) { round_ = round; }
+
   void meet(std::size_t a, std::size_t b) {
     Meeting m;
     for (const std::size_t s : {a, b}) {
@@ -99,6 +104,9 @@ class NearSwaps {
       e_.cells[to] = m.names[i];
       own_[to] = 0.5 * (m.sum[i] + (m.first[i] != 0 ? m.lead[i] : -m.lead[i]));
     }
+    if constexpr (kChecks)
+      require(next[0] == (b + 1) * n_ && next[1] == (a + 1) * n_,
+              "near swaps: a set has not its number of cells");
   }
 
  private:
@@ -169,6 +177,7 @@ class NearSwaps {
       }
     }
     if (q == p) return false;
+    if constexpr (kChecks) check_swap(m, p, q, most);
     const Cells& c = m.cells;
     const float px = c.x[p], py = c.y[p], pz = c.z[p], qx = c.x[q], qy = c.y[q], qz = c.z[q];
     for (std::size_t k = 0; k < c.size(); ++k) {
@@ -180,9 +189,28 @@ class NearSwaps {
     return true;
   }
 
+  /// The gain anew, in double, from the distances alone. `gain` may be wrong by the rounding of both leads,
+  /// which were summed in runs of 64 floats and have been changed twice at each swap of this round and of
+  /// those before.
+  void check_swap(const Meeting& m, std::uint32_t p, std::uint32_t q, float gain) const {
+    require(m.first[p] != 0 && m.first[q] == 0, "near swaps: a swap within a set");
+    double within = 0, fresh = -2.0 * m.cells.distance(p, q), longest = 0;
+    for (std::size_t k = 0; k < m.names.size(); ++k) {
+      const double to_p = m.cells.distance(p, k), to_q = m.cells.distance(q, k);
+      fresh += m.first[k] != 0 ? to_q - to_p : to_p - to_q;
+      within += m.first[k] != 0 ? to_p : to_q;
+      longest = std::max({longest, to_p, to_q});
+    }
+    const double changes = 4.0 * kPasses * double(n_) * (round_ + 1);
+    const double rounding = 2 * 0x1p-24 * (64 + changes) * double(n_) * longest;
+    require(std::abs(gain - fresh) <= rounding, "near swaps: a gain is wrong by more than rounding");
+    check_step(Checked::kNear, -fresh, std::max(0.0, rounding - kLeastGain), within);
+  }
+
   Ensemble& e_;
   const std::vector<glm::vec3>& centres_;
   std::size_t n_;
+  std::uint32_t round_ = 0;
   std::uint32_t side_ = 1;   ///< of the grid of bins
   std::vector<double> own_;  ///< [set * n + i]: the sum of distances from cell i to its set's cells
 };
@@ -193,6 +221,7 @@ void swap_near(Ensemble& e, const std::vector<glm::vec3>& centres, std::uint32_t
   NearSwaps swaps(e, centres);
   std::vector<std::uint32_t> order(e.sets);
   for (std::uint32_t round = 0; round < rounds; ++round) {
+    swaps.begin_round(round);
     std::iota(order.begin(), order.end(), 0u);
     for (std::size_t i = order.size(); i > 1; --i)
       std::swap(order[i - 1], order[mix64(seed, kPairStream + round, i) % i]);

@@ -3,16 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "points/checks.h"
 #include "points/subset_distances.h"
 
 namespace capcon {
 namespace {
 
+// A trade raises the sum over its two points by more than rounding, and yet others may lose, so that labels
+// could come again: it is this that ends the passes.
 constexpr int kMostPasses = 100;
 
 /// Labels 0 1 2 ... k-1 0 1 ... in an order by hash.
@@ -46,6 +50,7 @@ class Partition {
   std::vector<std::uint32_t> run() {
     for (int pass = 0; pass < kMostPasses && trade_all(); ++pass) {
     }
+    if constexpr (kChecks) check_sizes();
     return distances_.labels();
   }
 
@@ -60,7 +65,16 @@ class Partition {
 
   void trade(std::uint32_t x, std::uint32_t y) {
     const std::uint32_t a = label(x), b = label(y);
+    [[maybe_unused]] double expected = 0;
+    if constexpr (kChecks) expected = gain(x, y);
     distances_.trade(x, y);
+    if constexpr (kChecks) {
+      distances_.check(a);
+      distances_.check(b);
+      const double rise = distances_.first(x, b) + distances_.first(y, a) - own_[x] - own_[y];
+      require(std::abs(rise - expected) <= 1e-15, "partition: a trade did not gain what it was made for");
+      check_step(Checked::kPartition, -rise, 0, 2);
+    }
     std::replace(members_[a].begin(), members_[a].end(), x, y);
     std::replace(members_[b].begin(), members_[b].end(), y, x);
     for (const std::uint32_t changed : {a, b}) {
@@ -121,6 +135,15 @@ class Partition {
       }
     }
     return traded;
+  }
+
+  void check_sizes() const {
+    std::vector<std::size_t> sizes(subsets_);
+    for (std::uint32_t i = 0; i < n_; ++i) ++sizes.at(label(i));
+    for (std::uint32_t s = 0; s < subsets_; ++s) {
+      require(sizes[s] == members_[s].size(), "partition: a subset has not its members");
+      require(sizes[s] == n_ / subsets_ + (s < n_ % subsets_ ? 1 : 0), "partition: subsets of uneven sizes");
+    }
   }
 
   std::uint32_t n_, subsets_;

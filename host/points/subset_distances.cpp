@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "points/checks.h"
 
 namespace capcon {
 namespace {
@@ -57,19 +58,35 @@ void SubsetDistances::list_neighbours(const Points& points) {
       16);
 }
 
-void SubsetDistances::look_up(std::uint32_t i, std::uint32_t label) {
+SubsetDistances::Two SubsetDistances::nearest_two(std::uint32_t i, std::uint32_t label) const {
   const Neighbour* list = &lists_[i * listed_];
-  const std::size_t here = at(label, i);
-  first_[here] = second_[here] = last(i);
-  nearest_[here] = i;
+  Two two{last(i), last(i), i};
   for (std::size_t k = 0; k < listed_; ++k) {
     if (labels_[list[k].point] != label) continue;
-    if (nearest_[here] != i) {
-      second_[here] = list[k].distance;
+    if (two.nearest != i) {
+      two.second = list[k].distance;
       break;
     }
-    first_[here] = list[k].distance;
-    nearest_[here] = list[k].point;
+    two.first = list[k].distance;
+    two.nearest = list[k].point;
+  }
+  return two;
+}
+
+void SubsetDistances::look_up(std::uint32_t i, std::uint32_t label) {
+  const Two two = nearest_two(i, label);
+  const std::size_t here = at(label, i);
+  first_[here] = two.first;
+  second_[here] = two.second;
+  nearest_[here] = two.nearest;
+}
+
+void SubsetDistances::check(std::uint32_t label) const {
+  for (std::uint32_t i = 0; i < labels_.size(); ++i) {
+    const Two two = nearest_two(i, label);
+    const std::size_t here = at(label, i);
+    require(first_[here] == two.first && second_[here] == two.second && nearest_[here] == two.nearest,
+            "partition: a point's nearest of a subset are others");
   }
 }
 

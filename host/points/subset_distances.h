@@ -39,8 +39,17 @@ class SubsetDistances {
   /// Points x and y exchange their subsets.
   void trade(std::uint32_t x, std::uint32_t y);
 
+  /// Throws BrokenInvariant unless all distances to a subset are what a look at the lists says.
+  void check(std::uint32_t label) const;
+
  private:
   void list_neighbours(const Points& points);
+  /// The nearest two of a subset to point i.
+  struct Two {
+    double first, second;
+    std::uint32_t nearest;
+  };
+  Two nearest_two(std::uint32_t i, std::uint32_t label) const;
   void look_up(std::uint32_t i, std::uint32_t label);
   void leave(std::uint32_t x, std::uint32_t label);
   void enter(std::uint32_t x, std::uint32_t label);

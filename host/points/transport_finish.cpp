@@ -7,18 +7,17 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "base/hash.h"
+#include "points/checks.h"
 #include "points/descent.h"
 #include "points/measure.h"
 #include "points/mirrors.h"
+#include "points/parted.h"
 #include "points/transport.h"
-#include "points/voronoi.h"
 
 namespace capcon {
 
 namespace {
 
-constexpr std::uint64_t kPart = 0x70617274;  // stream of random numbers
 constexpr std::size_t kMemory = 8;
 constexpr double kLeastArea = 0.2;  // of a cell in a step, as part of its share
 
@@ -74,23 +73,19 @@ glm::dvec2 wrapped(glm::dvec2 p) {
   return {p.x < 1 ? p.x : 0, p.y < 1 ? p.y : 0};
 }
 
-/// Points apart from each other: m in places already taken are strewn over an area that m points may have.
-Points parted(const Points& points) {
-  if (points.size() < 2) return points;
-  const double n = static_cast<double>(points.size());
-  const PeriodicVoronoi diagram(points);
-  PeriodicVoronoi::Scratch scratch;
-  std::vector<std::size_t> taken;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (diagram.cut(i, scratch) < 1e-12 / n) taken.push_back(i);
+/// The areas add up to the torus but for 1e-9 (as the diagram itself demands), none is empty, and the energy,
+/// which is what `taken` compares, rose by nothing at all.
+void check_round(const Place& before, const Place& after) {
+  double area = 0;
+  for (std::size_t i = 0; i < after.sites.size(); ++i) {
+    const Moments& m = after.diagram.moments(i);
+    require(m.area > 0 && std::isfinite(m.second), "transport finish: a cell is empty");
+    require(std::isfinite(after.sites[i].x) && std::isfinite(after.sites[i].y),
+            "transport finish: a site is nowhere");
+    area += m.area;
   }
-  Points result = points;
-  const double width = std::sqrt(static_cast<double>(taken.size()) / n);
-  for (const std::size_t i : taken) {
-    const glm::dvec2 random(uniform64(1, kPart, 2 * i), uniform64(1, kPart, 2 * i + 1));
-    result[i] = wrapped(points[i] + width * (random - 0.5));
-  }
-  return result;
+  require(std::abs(area - 1) < 1e-9, "transport finish: the cells do not cover the torus");
+  check_step(Checked::kTransport, after.energy - before.energy, 1e-300, before.energy);
 }
 
 }  // namespace
@@ -152,6 +147,7 @@ FinishResult transport_finish(const Points& points, const FinishOptions& options
     std::vector<glm::dvec2> turn(n);
     for (std::size_t i = 0; i < n; ++i) turn[i] = next.gradient[i] - now.gradient[i];
     memory.learn(std::move(move), std::move(turn));
+    if constexpr (kChecks) check_round(now, next);
     std::swap(now, next);
     if (outside(now.sites)) {
       for (glm::dvec2& s : now.sites) s = wrapped(s);
