@@ -15,10 +15,14 @@ struct SourcePlace {
   std::string str() const;
 };
 
+/// A message as one line for people: control characters as "\\n" or "\\x1b" (they come from files, and would
+/// reach a terminal), and of a very long text the beginning and the end.
+std::string one_line(const std::string& text);
+
 /// The user's input or command line is wrong: one sentence that says what and what to do. Exit code 2.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(const std::string& message) : std::runtime_error(message) {}
+  explicit InputError(const std::string& message) : std::runtime_error(one_line(message)) {}
   /// Puts "file:line:column: " before the message.
   InputError(const SourcePlace& place, const std::string& message);
 };
@@ -26,7 +30,7 @@ class InputError : public std::runtime_error {
 /// The input was fine, yet the work could not be done (no device, full disk, device lost). Exit code 1.
 class Failure : public std::runtime_error {
  public:
-  explicit Failure(const std::string& message) : std::runtime_error(message) {}
+  explicit Failure(const std::string& message) : std::runtime_error(one_line(message)) {}
 };
 
 }  // namespace capcon

@@ -8,25 +8,15 @@
 #include "base/cache.h"
 #include "base/file.h"
 #include "base/hash.h"
+#include "base/sealed.h"
 #include "gpu/check.h"
 
 namespace capcon::gpu {
 namespace {
 
 // Vulkan checks vendor, device and cache UUID in the data's own header, but not that the rest is whole: that
-// is what the checksum in front is for.
-constexpr std::string_view kMagic = "capcon pipelines 1 ";
-
-std::string sealed(const std::string& data) {
-  return fmt::format("{}{:016x}\n{}", kMagic, fnv1a64(data), data);
-}
-
-std::string opened(const std::string& bytes) {
-  const std::size_t head = kMagic.size() + 17;
-  if (bytes.size() < head) return {};
-  std::string data = bytes.substr(head);
-  return sealed(data) == bytes ? data : std::string();
-}
+// is what the seal is for.
+constexpr std::string_view kMagic = "capcon pipelines 1";
 
 }  // namespace
 
@@ -38,7 +28,7 @@ PipelineCache::PipelineCache(VkDevice device, const DeviceDescription& descripti
     std::error_code error;
     if (std::filesystem::is_regular_file(path_, error)) {
       try {
-        loaded_ = opened(read_file(path_));
+        loaded_ = unsealed(kMagic, read_file(path_)).value_or("");
       } catch (const std::exception&) {
       }
     }
@@ -58,7 +48,7 @@ PipelineCache::~PipelineCache() {
     try {
       if (vkGetPipelineCacheData(device_, handle_, &bytes, data.data()) == VK_SUCCESS && data != loaded_) {
         std::filesystem::create_directories(path_.parent_path());
-        write_file(path_, sealed(data));
+        write_file(path_, sealed(kMagic, data));
       }
     } catch (const std::exception&) {
     }

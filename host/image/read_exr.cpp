@@ -5,9 +5,6 @@
 #include <ImfInputFile.h>
 #include <ImfIntAttribute.h>
 #include <ImfStringAttribute.h>
-#include <ImfTileDescription.h>
-#include <ImfVersion.h>
-#include <ImfXdr.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,39 +14,14 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "image/exr_check.h"
 #include "image/exr_stream.h"
 #include "image/image.h"
 
 namespace capcon {
 namespace {
 
-constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28;
 constexpr int kRowsAtOnce = 256;  // at least the lines of a chunk of any compression
-
-/// Reads the header alone and refuses sizes that no image of ours has, before OpenEXR allocates tables for
-/// them.
-void check_size(const std::string& name, const std::string& bytes) {
-  MemoryInput stream(name, bytes);
-  int magic = 0;
-  int version = 0;
-  Imf::Xdr::read<Imf::StreamIO>(stream, magic);
-  Imf::Xdr::read<Imf::StreamIO>(stream, version);
-  Imf::Header header;
-  header.readFrom(stream, version);
-  const Imath::Box2i window = header.dataWindow();
-  const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
-  const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
-  const auto refuse = [](const char* what, std::int64_t w, std::int64_t h) {
-    throw std::runtime_error(
-        fmt::format("its {} of {} x {} pixels is not one this program reads", what, w, h));
-  };
-  if (width < 1 || height < 1 || height > kMaxPixels / width) refuse("size", width, height);
-  if (header.hasTileDescription()) {
-    const std::int64_t w = header.tileDescription().xSize;
-    const std::int64_t h = header.tileDescription().ySize;
-    if (w < 1 || h < 1 || h > kMaxPixels / w) refuse("tile size", w, h);
-  }
-}
 
 /// R G B, else Y, else the only channel that is neither alpha nor of a layer, else the only channel.
 std::vector<std::string> choose_channels(const Imf::ChannelList& list) {
@@ -130,7 +102,7 @@ Image read_exr(const std::filesystem::path& path, Attributes* attributes) {
     throw InputError(path.string() + ": is not an EXR image; give an OpenEXR file");
   }
   try {
-    check_size(name, bytes);
+    check_exr(name, bytes);
     MemoryInput stream(name, bytes);
     Imf::InputFile file(stream);
     Image image = read_pixels(file);

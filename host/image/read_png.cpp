@@ -30,6 +30,33 @@ float to_linear(std::uint16_t value) {
   return static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
 }
 
+std::uint64_t big_endian(std::string_view bytes, std::size_t at) {
+  std::uint64_t value = 0;
+  for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+  return value;
+}
+
+/// Whether all chunks are as long as they say, up to IEND: stb takes memory for the lengths before it reads.
+bool has_whole_chunks(std::string_view bytes) {
+  constexpr std::size_t kAround = 12;  // length, name, checksum
+  for (std::size_t at = 8; at + kAround <= bytes.size();) {
+    const std::uint64_t length = big_endian(bytes, at);
+    if (length > bytes.size() - at - kAround) return false;
+    if (bytes.substr(at + 4, 4) == "IEND") return true;
+    at += kAround + length;
+  }
+  return false;
+}
+
+/// Whether the compressed data could be this image: deflate packs at most 1032 bytes into one.
+bool is_long_enough(std::string_view bytes, std::int64_t width, std::int64_t height, int channels) {
+  constexpr std::size_t kDepth = 24;  // in the first chunk, IHDR; a palette's pixels are one value each
+  const std::int64_t depth = static_cast<unsigned char>(bytes[kDepth]);
+  const bool palette = bytes[kDepth + 1] == 3;
+  const std::int64_t row = (width * depth * (palette ? 1 : channels) + 7) / 8;
+  return row * height <= std::int64_t(1032) * static_cast<std::int64_t>(bytes.size());
+}
+
 }  // namespace
 
 Image read_png(const std::filesystem::path& path) {
@@ -41,11 +68,14 @@ Image read_png(const std::filesystem::path& path) {
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("{}: cannot be read as a PNG image: {}", path.string(), why));
   };
+  if (!has_whole_chunks(bytes)) refuse("it is cut short or damaged");
   int width = 0, height = 0, channels = 0;  // the header alone first: no memory is taken for a size we refuse
   if (!stbi_info_from_memory(data, size, &width, &height, &channels))
     refuse("its header is broken or names a huge size");
   if (width < 1 || height < 1 || height > kMaxPixels / width)
     refuse(fmt::format("{} x {} pixels are more than 2^26", width, height));
+  if (!is_long_enough(bytes, width, height, channels))
+    refuse(fmt::format("it is too short for {} x {} pixels", width, height));
   const int wanted = channels <= 2 ? 1 : 3;
   const std::unique_ptr<stbi_us, void (*)(void*)> pixels(
       stbi_load_16_from_memory(data, size, &width, &height, &channels, wanted), stbi_image_free);

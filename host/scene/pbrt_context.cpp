@@ -3,7 +3,7 @@
 namespace capcon {
 
 void PbrtContext::warn(const SourcePlace& place, const std::string& sentence) {
-  if (warned.insert(sentence).second) scene.warnings.push_back(place.str() + ": " + sentence);
+  if (warned.insert(sentence).second) scene.warnings.push_back(one_line(place.str() + ": " + sentence));
 }
 
 std::filesystem::path PbrtContext::resolve(const std::string& name, const SourcePlace& place) const {

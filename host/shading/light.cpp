@@ -58,7 +58,7 @@ class LightReader {
 
  private:
   void warn(const SourcePlace& place, const std::string& sentence) {
-    const std::string warning = place.str() + ": " + sentence;
+    const std::string warning = one_line(place.str() + ": " + sentence);
     if (lights_.warnings.empty() || lights_.warnings.back() != warning) lights_.warnings.push_back(warning);
   }
 

@@ -15,8 +15,8 @@ Materials read_materials(const Scene& scene) {
     materials.values.push_back(read_material(reader));
     if (reader.said().empty()) continue;
     const std::string name = entity.name.empty() ? "" : fmt::format(" \"{}\"", entity.name);
-    materials.warnings.push_back(fmt::format("{}: the material{} ({}): {}", entity.place.str(), name,
-                                             entity.type, fmt::join(reader.said(), "; ")));
+    materials.warnings.push_back(one_line(fmt::format("{}: the material{} ({}): {}", entity.place.str(), name,
+                                                      entity.type, fmt::join(reader.said(), "; "))));
   }
   materials.values.emplace_back();
   return materials;

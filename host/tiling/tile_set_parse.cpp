@@ -54,8 +54,10 @@ class Words {
     const std::string_view text = word();
     std::uint32_t value = 0;
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || stop != text.data() + text.size() || text.empty())
-      lines_.fail(fmt::format("'{}' is not a whole number in [0, 2^32) ({})", text, what));
+    if (error != std::errc{} || stop != text.data() + text.size() || text.empty() ||
+        (text.size() > 1 && text[0] == '0'))  // one way to write a set: its checksum is its name
+      lines_.fail(
+          fmt::format("'{}' is not a whole number in [0, 2^32) without leading zeros ({})", text, what));
     return value;
   }
   std::string_view rest() const { return rest_; }

@@ -1,0 +1,34 @@
+// The entry of libFuzzer for all targets: which one is the last part of the program's name (a link named
+// capcon_fuzz-ply reads ply), or $CAPCON_FUZZ_TARGET.
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "fuzz/target.h"
+
+namespace {
+
+const capcon::fuzz::Target* chosen = nullptr;
+
+}  // namespace
+
+extern "C" int LLVMFuzzerInitialize(int*, char*** argv) {
+  const std::string program = (*argv)[0];
+  const char* variable = std::getenv("CAPCON_FUZZ_TARGET");
+  const std::string name = variable ? variable : program.substr(program.find_last_of("-/") + 1);
+  chosen = capcon::fuzz::find_target(name);
+  if (!chosen) {
+    std::fprintf(stderr, "there is no target \"%s\"; set CAPCON_FUZZ_TARGET to one of:", name.c_str());
+    for (const auto& target : capcon::fuzz::targets())
+      std::fprintf(stderr, " %.*s", static_cast<int>(target.name.size()), target.name.data());
+    std::fprintf(stderr, "\n");
+    std::exit(2);
+  }
+  ::setenv("CAPCON_THREADS", "1", 0);  // threads of an input of a few bytes cost more than it does
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  capcon::fuzz::check(*chosen, {reinterpret_cast<const char*>(data), size});
+  return 0;
+}
