@@ -22,9 +22,7 @@ void write_all(int descriptor, std::string_view bytes) {
 class Folder {
  public:
   Folder() {
-    std::error_code error;
-    const bool shared = std::filesystem::is_directory("/dev/shm", error);
-    std::string pattern = shared ? "/dev/shm/capcon-fuzz-XXXXXX" : "/tmp/capcon-fuzz-XXXXXX";
+    std::string pattern = (std::filesystem::temp_directory_path() / "capcon-fuzz-XXXXXX").string();
     if (!::mkdtemp(pattern.data())) throw std::runtime_error("the fuzzer cannot make its folder");
     path = pattern;
   }

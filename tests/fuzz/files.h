@@ -23,7 +23,7 @@ class MemoryFile {
 /// Writes bytes to a new file, or over an older one.
 void write_plain(const std::filesystem::path& path, std::string_view bytes);
 
-/// A folder in memory of this process's own, removed at its end.
+/// A folder of this process's own under $TMPDIR, removed at its end.
 const std::filesystem::path& scratch_folder();
 
 }  // namespace capcon::fuzz

@@ -1,5 +1,4 @@
-// The entry of libFuzzer for all targets: which one is the last part of the program's name (a link named
-// capcon_fuzz-ply reads ply), or $CAPCON_FUZZ_TARGET.
+// The entry of libFuzzer for all targets; $CAPCON_FUZZ_TARGET says which one.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -12,10 +11,9 @@ const capcon::fuzz::Target* chosen = nullptr;
 
 }  // namespace
 
-extern "C" int LLVMFuzzerInitialize(int*, char*** argv) {
-  const std::string program = (*argv)[0];
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
   const char* variable = std::getenv("CAPCON_FUZZ_TARGET");
-  const std::string name = variable ? variable : program.substr(program.find_last_of("-/") + 1);
+  const std::string name = variable ? variable : "";
   chosen = capcon::fuzz::find_target(name);
   if (!chosen) {
     std::fprintf(stderr, "there is no target \"%s\"; set CAPCON_FUZZ_TARGET to one of:", name.c_str());
