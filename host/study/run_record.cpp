@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -24,15 +25,41 @@ double number(const json& line, const char* name) {
   return v;
 }
 
+/// A whole number that T holds: the library itself would cut any number to size.
+template <class T>
+T whole(const json& line, const char* name, T least = 0) {
+  const json& value = line.at(name);
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > std::numeric_limits<T>::max() ||
+      value.get<T>() < least)
+    throw std::out_of_range(fmt::format("\"{}\" is not a count", name));
+  return value.get<T>();
+}
+
+/// Throws for what nests deeper than anything a study writes: copies would go as deep on the stack.
+json parsed(std::string_view line) {
+  constexpr int kDeepest = 32;
+  return json::parse(line, [](int depth, json::parse_event_t, const json&) {
+    if (depth > kDeepest) throw std::out_of_range("too deep");
+    return true;
+  });
+}
+
+/// What later readers of the header take for granted.
+void check_header(const json& header) {
+  if (header.at("settings_hash").get<std::string>().empty()) throw std::out_of_range("no hash");
+  if (header.contains("started") && !header["started"].is_string()) throw std::out_of_range("no date");
+}
+
 RunRecord record_from(const json& line) {
   RunRecord r;
-  r.run = {line.at("sampler").get<std::string>(), line.at("samples").get<std::uint32_t>(),
-           line.at("seed").get<std::uint32_t>()};
+  r.run = {line.at("sampler").get<std::string>(), whole<std::uint32_t>(line, "samples", 1),
+           whole<std::uint32_t>(line, "seed")};
+  if (r.run.sampler.empty()) throw std::out_of_range("no sampler");
   r.mse = number(line, "mse");
   r.mse_trimmed = number(line, "mse_trimmed");
   r.relmse = number(line, "relmse");
   if (line.contains("mse_coarse")) r.mse_coarse = number(line, "mse_coarse");
-  r.rays = line.at("rays").get<std::uint64_t>();
+  r.rays = whole<std::uint64_t>(line, "rays");
   r.device_seconds = number(line, "device_seconds");
   r.wall_seconds = number(line, "wall_seconds");
   r.point_generation_seconds = number(line, "point_generation_seconds");
@@ -70,10 +97,9 @@ RunFile read_runs(const fs::path& path) {
     ++number_of_line;
     const SourcePlace place{path.string(), number_of_line, 0};
     try {
-      const json line = json::parse(bytes.begin() + static_cast<std::ptrdiff_t>(begin),
-                                    bytes.begin() + static_cast<std::ptrdiff_t>(end));
+      const json line = parsed(std::string_view(bytes).substr(begin, end - begin));
       if (number_of_line == 1) {
-        line.at("settings_hash").get<std::string>();
+        check_header(line);
         file.header = line;
       } else {
         file.records.push_back(record_from(line));
