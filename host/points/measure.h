@@ -50,7 +50,8 @@ Measures measure(const Points& points);
 /// The slow measures are made up to this many points unless more is asked for.
 inline constexpr std::size_t kFullMeasureLimit = 16384;
 
-/// `measure` and the discrepancies and, up to `limit` points, what costs more than O(n log n).
+/// `measure` and the discrepancies and, up to `limit` points, what costs more than O(n log n). energy_ot
+/// stays NaN where transport_energy fails.
 Measures measure_fully(const Points& points, std::size_t limit = kFullMeasureLimit);
 
 /// The mean of each measure; all n alike or n = 0. NaN where one is NaN.

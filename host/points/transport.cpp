@@ -139,6 +139,29 @@ class Merger {
       first_;  ///< at most one site a cell: others are near enough to it
 };
 
+/// Weights that cut the torus as the sites would if their cluster were blown up about its middle, to half of
+/// the torus: |x - c - f (s - c)|^2 and |x - s|^2 - (1 - f) |s - c|^2 have the same least s. From weights of
+/// 0, all cells but those at a cluster's rim begin next to empty, and Newton's steps with them. Empty where
+/// the sites are no cluster.
+std::vector<double> blown_up(const Points& sites) {
+  glm::dvec2 low(0), high(0), middle(0);
+  std::vector<glm::dvec2> from_first;
+  for (const glm::dvec2& site : sites) {
+    glm::dvec2 d = site - sites.front();
+    d -= glm::round(d);
+    from_first.push_back(d);
+    low = glm::min(low, d);
+    high = glm::max(high, d);
+    middle += d / static_cast<double>(sites.size());
+  }
+  const double size = std::max(high.x - low.x, high.y - low.y);
+  if (!(size > 0 && size < 0.25)) return {};
+  std::vector<double> weights;
+  for (const glm::dvec2& d : from_first)
+    weights.push_back((1 - 0.5 / size) * glm::dot(d - middle, d - middle));
+  return weights;
+}
+
 }  // namespace
 
 double transport_energy(const Points& points) {
@@ -149,9 +172,18 @@ double transport_energy(const Points& points) {
     keys.push_back({static_cast<std::uint32_t>(p.x * 0x1p32), static_cast<std::uint32_t>(p.y * 0x1p32)});
   Merger merged(points.size());
   for (const std::uint32_t i : hilbert_order(keys)) merged.add(points[i], 1 / n);
-  Transport transport(std::move(merged.sites), std::move(merged.shares));
-  transport.balance(1e-10);
-  return n * transport.cost() / kHexagonEnergy;
+  const auto energy = [&](std::vector<double> weights) {
+    Transport transport(merged.sites, merged.shares, std::move(weights));
+    transport.balance(1e-10);
+    return n * transport.cost() / kHexagonEnergy;
+  };
+  try {
+    return energy({});
+  } catch (const Failure&) {
+    std::vector<double> weights = blown_up(merged.sites);
+    if (weights.empty()) throw;
+    return energy(std::move(weights));
+  }
 }
 
 }  // namespace capcon

@@ -1,6 +1,8 @@
 // Rows of speed and quality of the point optimisers, with the goals that they are held to:
 //
 //   points_bench [--json] [--quick] [rows...]     rows are the names it prints; --quick leaves out long ones
+//   points_bench invariants [COUNT]               random inputs with every step checked:
+//   points_checked_bench.cpp
 //
 // Seconds are of the processor over all threads; medians over the repeats, each with a seed of its own. Every
 // figure of quality is evaluated from the points alone, by code that the optimisers do not use. Growth rows
@@ -9,6 +11,7 @@
 #include <fmt/format.h>
 #include <malloc.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -226,6 +229,14 @@ void run_partition(Report& report) {
 }  // namespace
 
 int main(int count, char** words) {
+  if (count > 1 &&
+      std::string(words[1]) == "invariants") {  // the program beside this one, built with the checks
+    std::string program = words[0];
+    program.replace(program.rfind('/') + 1, std::string::npos, "points_checked_bench");
+    ::execv(program.c_str(), words + 1);
+    fmt::print(stderr, "{}: not found; build it too\n", program);
+    return 2;
+  }
   std::vector<std::string> wanted;
   bool json = false, quick = false;
   for (int k = 1; k < count; ++k) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -54,6 +55,19 @@ TEST(Density, StiffOnesStayWhereThereIsMass) {
       EXPECT_TRUE(p.x >= 9. / 64 && p.x < 10. / 64 && p.y >= 40. / 64 && p.y < 41. / 64);
       EXPECT_TRUE(q.x < 1 && q.y < 1 && two.at(static_cast<int>(q.x * 64), static_cast<int>(q.y * 64)) > 0);
     }
+  }
+}
+
+// Beyond 8192 texels 2^-40 of one is less than the rounding of a place: it rounded up to the row after the
+// last.
+TEST(Density, TheLastOfManyTexelsHoldsItsPlaces) {
+  constexpr std::size_t kTexels = 20000;
+  std::vector<double> values(kTexels, 0);
+  values.back() = 1;
+  for (const Density& density : {Density(1, kTexels, values), Density(kTexels, 1, values)}) {
+    const glm::dvec2 p = density.warp(glm::dvec2(1 - 0x1p-53));
+    EXPECT_TRUE(p.x < 1 && p.y < 1) << p.x << " " << p.y;
+    EXPECT_GE(std::max(p.x, p.y), 1 - 1.0 / kTexels);
   }
 }
 

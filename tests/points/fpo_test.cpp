@@ -164,6 +164,20 @@ TEST(Fpo, NeverShortensTheLeastDistance) {
   }
 }
 
+// Where points coincide, or all but, no bisector parts them: cells then overlapped, and moves shortened
+// distances.
+TEST(Fpo, PartsPointsInOnePlace) {
+  std::vector<Points> starts{Points(40, {0.25, 0.75}), Points(2, {0, 0}), {{0, 0}, {1 - 0x1p-53, 0x1p-60}}};
+  starts.push_back(random_places(30, 21));
+  for (int k = 0; k < 30; ++k) starts.back().push_back(starts.back()[k % 5]);
+  for (const Points& start : starts) {
+    const Points points = fpo_from(start, {});
+    ASSERT_EQ(points.size(), start.size());
+    for (const glm::dvec2& p : points) EXPECT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1);
+    EXPECT_GT(measure(points).delta_min, 0.85) << start.size();
+  }
+}
+
 TEST(Fpo, TwoPointsStandFarthestApart) {
   const Points points = fpo({2, 3});
   const glm::dvec2 d = points[1] - points[0];

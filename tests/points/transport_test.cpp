@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 #include <numeric>
 
@@ -150,6 +151,33 @@ TEST(TransportEnergy, DoesNotDependOnOrderOrPlace) {
   EXPECT_NEAR(transport_energy(points), energy, 1e-9 * energy);
   for (glm::dvec2& p : points) p = {std::fmod(p.x + 0.37, 1.0), std::fmod(p.y + 0.81, 1.0)};
   EXPECT_NEAR(transport_energy(points), energy, 1e-9 * energy);
+}
+
+// From weights of 0 all cells but those at the rim begin next to empty: Newton's steps stood still there.
+TEST(TransportEnergy, OfOneTinyClusterIsThatOfOnePlace) {
+  for (const double width : {1e-3, 1e-5, 1e-6}) {
+    for (const double corner : {0.5, 1 - 0.3 * width}) {  // over the seam too
+      Points points;
+      for (std::uint64_t i = 0; i < 127; ++i) {
+        const glm::dvec2 p =
+            corner + width * glm::dvec2(uniform64(1, 127, 2 * i), uniform64(1, 127, 2 * i + 1));
+        points.push_back(p - glm::floor(p));
+      }
+      EXPECT_NEAR(transport_energy(points) / (127 / 6.0 / kHexagonEnergy), 1, 2 * width) << width;
+    }
+  }
+}
+
+TEST(TransportEnergy, IsLeftOutOfTheMeasuresWhereItCannotBeFound) {
+  Points points;  // two clusters, 1e-6 wide and 1e-11 high
+  for (std::uint64_t i = 0; i < 127; ++i) {
+    points.emplace_back(0.3 * static_cast<double>(i % 2 + 1) + 1e-6 * uniform64(0, 127, 2 * i),
+                        0.5 + 1e-11 * uniform64(0, 127, 2 * i + 1));
+  }
+  const Measures measures = measure_fully(points);
+  EXPECT_TRUE(std::isfinite(measures.energy) && std::isfinite(measures.star));
+  EXPECT_THROW(transport_energy(points), Failure);
+  EXPECT_TRUE(std::isnan(measures.energy_ot));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/hash.h"
 #include "points/generators.h"
@@ -26,18 +27,26 @@ const char* const kMassNames[kMasses] = {"even", "contrast 1e12", "one texel", "
 RandomInput::RandomInput(std::uint64_t which) : number(which) {
   const auto pick = [&](std::uint64_t k, std::uint64_t count) { return mix64(which, kChoice, k) % count; };
   // Cheap tasks more often than dear ones.
-  constexpr Task kShares[] = {Task::kCells,     Task::kCells,     Task::kCells,     Task::kCcvt,
-                              Task::kCcvt,      Task::kRegion,    Task::kRegion,    Task::kRegion,
-                              Task::kCellSwaps, Task::kCellSwaps, Task::kNearSwaps, Task::kPartition,
-                              Task::kPartition, Task::kMeasure,   Task::kMeasure,   Task::kFpo,
-                              Task::kLloyd,     Task::kTransport};
-  task = kShares[pick(0, std::size(kShares))];
+  constexpr std::pair<Task, int> kShares[] = {
+      {Task::kCells, 9},     {Task::kCcvt, 6},      {Task::kRegion, 6}, {Task::kCellSwaps, 6},
+      {Task::kNearSwaps, 3}, {Task::kPartition, 4}, {Task::kFpo, 2},    {Task::kMeasure, 4},
+      {Task::kTransport, 1}, {Task::kLloyd, 1}};
+  std::uint64_t share = pick(0, 42);
+  for (const auto& [candidate, parts] : kShares) {
+    task = candidate;
+    if (share < static_cast<std::uint64_t>(parts)) break;
+    share -= static_cast<std::uint64_t>(parts);
+  }
   start = static_cast<Start>(pick(1, kStarts));
   mass = static_cast<Mass>(pick(2, kMasses));
   domain = static_cast<Domain>(pick(3, 3));
   constexpr std::uint32_t kCounts[] = {1, 2, 3, 4, 5, 7, 8, 13, 16, 31, 37, 64};
-  n = pick(4, 2) == 0 ? kCounts[pick(5, std::size(kCounts))] : static_cast<std::uint32_t>(1 + pick(5, 64));
-  capacity = pick(6, 4) == 0 ? 1 : static_cast<std::uint32_t>(1 + pick(7, 64));
+  // Small ones more often, up to 64.
+  const auto small = [&](std::uint64_t k) {
+    return static_cast<std::uint32_t>(1 + (pick(k, 64) * pick(k + 20, 64) + 32) / 63);
+  };
+  n = pick(4, 2) == 0 ? kCounts[pick(5, std::size(kCounts))] : small(5);
+  capacity = pick(6, 4) == 0 ? 1 : small(7);
 }
 
 double RandomInput::u(std::uint64_t k) const {

@@ -148,7 +148,7 @@ void run_fpo(const RandomInput& in) {
 }
 
 void run_lloyd(const RandomInput& in) {
-  inside(lloyd({in.n, in.number, 12, in.region()}), in.n, in.domain);
+  inside(lloyd({in.n, in.number, 6, in.region()}), in.n, in.domain);
 }
 
 void run_measure(const RandomInput& in) {
