@@ -7,35 +7,40 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <system_error>
+#include <utility>
 
 #include "base/error.h"
+#include "base/stop.h"
 
 namespace capcon {
 namespace fs = std::filesystem;
 
 namespace {
 
-std::string reason() { return std::strerror(errno); }
+/// A pipe, a terminal, a device: nothing that could be renamed. Standard output is one whatever it leads to:
+/// its file is the shell's.
+bool is_stream(const fs::path& path) {
+  const std::string name = path.lexically_normal().string();
+  for (const char* stream : {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/self/fd/"})
+    if (name.starts_with(stream)) return true;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
 
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  Descriptor(const fs::path& path, int flags) : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  int get() const { return fd_; }
+void refuse_folder(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error))
+    throw Failure("cannot write " + path.string() + ": it is a directory; name a file in it");
+}
 
- private:
-  int fd_;
-};
-
-[[noreturn]] void fail_to_write(const fs::path& path) {
-  throw Failure(fmt::format("cannot write {}: {}", path.string(), reason()));
+/// Where a link leads to, so that the link stays.
+fs::path behind_links(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  const fs::path real = fs::weakly_canonical(path, error);
+  return error ? path : real;
 }
 
 }  // namespace
@@ -44,7 +49,8 @@ std::string read_file(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) throw InputError(path.string() + ": is a directory, not a file");
   const Descriptor file(path, O_RDONLY);
-  if (file.get() < 0) throw InputError(fmt::format("{}: cannot open: {}", path.string(), reason()));
+  if (file.get() < 0)
+    throw InputError(fmt::format("{}: cannot open: {}", path.string(), std::strerror(errno)));
   std::string bytes;
   const auto size = fs::file_size(path, error);
   if (!error) bytes.reserve(size);
@@ -52,52 +58,89 @@ std::string read_file(const fs::path& path) {
   for (;;) {
     const ssize_t got = ::read(file.get(), block, sizeof block);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw InputError(fmt::format("{}: cannot read: {}", path.string(), reason()));
+    if (got < 0) throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
     if (got == 0) return bytes;
     bytes.append(block, static_cast<std::size_t>(got));
   }
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {
-  PendingFile pending(path);
-  {
-    const Descriptor file(pending.path(), O_WRONLY | O_CREAT | O_TRUNC);
-    if (file.get() < 0) fail_to_write(path);
-    while (!bytes.empty()) {
-      const ssize_t put = ::write(file.get(), bytes.data(), bytes.size());
-      if (put < 0 && errno == EINTR) continue;
-      if (put < 0) fail_to_write(path);
-      bytes.remove_prefix(static_cast<std::size_t>(put));
-    }
+  if (is_stream(path)) {
+    const Descriptor stream(path, O_WRONLY | O_APPEND);
+    if (stream.get() < 0 || !write_all(stream.get(), bytes)) fail_to_write(path);
+    return;
   }
+  PendingFile pending(path);
+  if (!write_all(pending.descriptor(), bytes)) fail_to_write(path);
   pending.commit();
 }
 
-PendingFile::PendingFile(fs::path target) : target_(std::move(target)) {
-  temporary_ = target_;
-  temporary_ += fmt::format(".{}.partial", ::getpid());
+PendingFile::PendingFile(const fs::path& target) : target_(behind_links(target)) {
+  refuse_folder(target);
+  constexpr int kMostWriters = 100;
+  for (int writer = 1; writer <= kMostWriters; ++writer) {
+    fs::path name = target_;
+    name += writer == 1 ? ".writing" : fmt::format(".{}.writing", writer);
+    if (take(name)) return;
+  }
+  throw Failure(fmt::format("cannot write {}: too many programs are writing it", target.string()));
+}
+
+/// False where another writes to a temporary file of this name.
+bool PendingFile::take(const fs::path& name) {
+  for (;;) {
+    const StopLater to_register;
+    Descriptor file(name, O_RDWR | O_CREAT | O_NOFOLLOW);
+    if (file.get() < 0) {
+      std::error_code error;
+      const int reason = errno;
+      if (reason == EACCES && fs::exists(name, error)) return false;  // another user's
+      errno = reason;
+      fail_to_write(target_);
+    }
+    if (!lock(file.get())) return false;
+    if (!is_still(file.get(), name)) continue;  // its writer was just done
+    // What was there is of a writer that was killed.
+    if (::ftruncate(file.get(), 0) != 0) fail_to_write(target_);
+    file_ = std::move(file);
+    temporary_ = name;
+    register_temporary(temporary_);
+    return true;
+  }
 }
 
 PendingFile::~PendingFile() {
-  std::error_code ignored;
-  if (!committed_) fs::remove(temporary_, ignored);
+  if (committed_) return;
+  const StopLater to_forget;
+  if (is_still(file_.get(), temporary_)) ::unlink(temporary_.c_str());
+  forget_temporary(temporary_);
 }
 
 void PendingFile::commit() {
+  if (::fsync(file_.get()) != 0 && errno != EINVAL)
+    fail_to_write(target_);  // EINVAL: cannot be flushed, as in /proc
   {
-    const Descriptor file(temporary_, O_RDONLY);
-    if (file.get() < 0 || ::fsync(file.get()) != 0) fail_to_write(target_);
+    const StopLater to_forget;
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail_to_write(target_);
+    committed_ = true;
+    forget_temporary(temporary_);
   }
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail_to_write(target_);
-  committed_ = true;
+  flush_folder(target_.parent_path());
 }
 
 void check_writable(const fs::path& path) {
+  if (is_stream(path)) {
+    if (::access(path.c_str(), W_OK) != 0) fail_to_write(path);
+  } else {
+    const PendingFile probe(path);
+  }
+}
+
+void create_folder(const fs::path& folder) {
   std::error_code error;
-  if (fs::is_directory(path, error)) throw Failure("cannot write " + path.string() + ": it is a directory");
-  const PendingFile probe(path);
-  const Descriptor file(probe.path(), O_WRONLY | O_CREAT);
-  if (file.get() < 0) fail_to_write(path);
+  fs::create_directories(folder, error);
+  if (error)
+    throw Failure(fmt::format("cannot create the folder {}: {}", folder.string(), reason_of(error.value())));
 }
 
 fs::path shipped_file(const fs::path& relative) {
@@ -112,10 +155,13 @@ fs::path shipped_file(const fs::path& relative) {
   const fs::path installed = program.parent_path().parent_path() / "share" / "capcon";
   if (!program.empty() && attempt(installed)) return installed / relative;
   if (attempt(CAPCON_SOURCE_DIR)) return fs::path(CAPCON_SOURCE_DIR) / relative;
-  throw InputError(fmt::format("{}: this shipped file is not in {}; set CAPCON_DATA to the folder that holds it",
-                               relative.string(), tried));
+  throw InputError(
+      fmt::format("{}: this shipped file is not in {}; set CAPCON_DATA to the folder that holds it",
+                  relative.string(), tried));
 }
 
-std::string_view version() { return CAPCON_VERSION; }
+std::string_view version() {
+  return CAPCON_VERSION;
+}
 
 }  // namespace capcon
