@@ -19,12 +19,16 @@ struct Options {
 
 void make(const Options& o) {
   const EnsembleDomain domains[] = {EnsembleDomain::disk, EnsembleDomain::square, EnsembleDomain::cylinder};
+  create_folder(o.folder);
+  const auto file = [&](EnsembleDomain domain) {
+    return std::filesystem::path(o.folder) / fmt::format("{}.ensembles", domain_name(domain));
+  };
+  for (const EnsembleDomain domain : domains) check_writable(file(domain));
   Progress progress("ensembles", 3, o.quiet);
   double done = 0;
   for (const EnsembleDomain domain : domains) {
     progress.update(done++, std::string(domain_name(domain)));
-    write_file(std::filesystem::path(o.folder) / fmt::format("{}.ensembles", domain_name(domain)),
-               make_shipped_ensembles(domain));
+    write_file(file(domain), make_shipped_ensembles(domain));
   }
 }
 

@@ -33,7 +33,7 @@ void run(Options& o) {
   namespace fs = std::filesystem;
   o.settings.counts = parse_samples(o.counts);
   if (!o.directory.empty()) {  // told before the work
-    fs::create_directories(o.directory);
+    create_folder(o.directory);
     check_writable(fs::path(o.directory) / "report.html");
   }
   const integrate::Report report = integrate::make_report(o.settings);

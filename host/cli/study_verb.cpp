@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -18,17 +17,11 @@
 #include "study/format.h"
 #include "study/scene_facts.h"
 #include "study/study.h"
+#include "study/study_lock.h"
 #include "study/table.h"
 
 namespace capcon::cli {
 namespace {
-
-/// Ctrl-C: the first stops between two renders, so that nothing is half-written; the second as usual.
-volatile std::sig_atomic_t stop_requested = 0;
-extern "C" void request_stop(int signal) {
-  stop_requested = 1;
-  std::signal(signal, SIG_DFL);
-}
 
 constexpr double kCourtyardRadius = 2;         // metres
 constexpr double kDefaultPixels = 6000;        // a study of all samplers in two to four minutes on two cores
@@ -150,9 +143,7 @@ void run(Options& o) {
   s.height = scene.film.height;
 
   o.runner.directory = o.directory;
-  o.runner.interrupted = [] { return stop_requested != 0; };
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
+  const StudyLock alone(o.directory);
   std::optional<Explanation> explanation;
   const bool shading = s.integral != Integral::ambient_occlusion;
   if (o.device != "reference") {

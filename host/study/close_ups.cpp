@@ -93,8 +93,6 @@ CloseUps make_close_ups(const StudySettings& settings, const MakeStudyDevice& ma
   Progress progress("close-ups", extent.samples + 20.0 * static_cast<double>(settings.samplers.size()),
                     options.quiet);
   const auto render = [&](const Job& job, std::uint32_t samples) {
-    if (options.interrupted())
-      throw Interrupted("stopped; all runs are kept, and the same command makes the report");
     Image image = device.render(job).image;
     progress.update(done += samples);
     return image;

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/file.h"
 
 namespace capcon {
 namespace fs = std::filesystem;
 
 RunImages::RunImages(fs::path folder, std::string hash) : folder_(std::move(folder)), hash_(std::move(hash)) {
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) throw Failure(fmt::format("cannot create the folder {}: {}", folder_.string(), error.message()));
+  create_folder(folder_);
 }
 
 fs::path RunImages::path(const PlannedRun& run) const {

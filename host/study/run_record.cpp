@@ -1,13 +1,15 @@
 #include "study/run_record.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/file.h"
 
@@ -119,38 +121,54 @@ RunFile read_runs(const fs::path& path) {
 RunLog::RunLog(fs::path path, const json& header, bool fresh) : path_(std::move(path)), header_(header) {
   std::error_code error;
   if (fs::exists(path_, error)) {
-    bool same = false;
-    std::uintmax_t complete_bytes = 0;
-    if (!fresh) {
-      RunFile old = read_runs(path_);
-      complete_bytes = old.complete_bytes;
-      same = complete_bytes > 0 && old.header["settings_hash"] == header.at("settings_hash");
-      if (same) {
-        header_ = std::move(old.header);
-        records_ = std::move(old.records);
-      }
+    RunFile old;
+    if (!fresh) old = read_runs(path_);
+    if (old.complete_bytes > 0 && old.header["settings_hash"] == header.at("settings_hash")) {
+      header_ = std::move(old.header);
+      records_ = std::move(old.records);
+      open(old.complete_bytes);
+      return;
     }
-    if (same) {
-      fs::resize_file(path_, complete_bytes, error);
-    } else {
-      for (int i = 1; moved_.empty() || fs::exists(moved_, error); ++i) {
-        moved_ = path_.parent_path() / fmt::format("runs.{}.jsonl", i);
-      }
-      fs::rename(path_, moved_, error);
+    for (int i = 1; moved_.empty() || fs::exists(moved_, error); ++i) {
+      moved_ = path_.parent_path() / fmt::format("runs.{}.jsonl", i);
     }
-    if (error) throw Failure(fmt::format("cannot write {}: {}", path_.string(), error.message()));
+    fs::rename(path_, moved_, error);
+    if (error) throw Failure(fmt::format("cannot move {}: {}", path_.string(), reason_of(error.value())));
   }
-  file_.reset(std::fopen(path_.c_str(), "ab"));
-  if (!file_) throw Failure(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
-  if (records_.empty() && fs::file_size(path_, error) == 0) write_line(header_.dump());
+  const std::string first = header_.dump() + '\n';
+  write_file(path_, first);  // whole, or there is no log: a log always has its header
+  open(first.size());
+}
+
+void RunLog::open(std::uintmax_t bytes) {
+  file_ = Descriptor(path_, O_RDWR);
+  if (file_.get() < 0) fail_to_write(path_);
+  bytes_ = bytes;
+  cut();
+}
+
+/// Drops what follows the last whole line.
+void RunLog::cut() {
+  const auto end = static_cast<off_t>(bytes_);
+  if (::ftruncate(file_.get(), end) != 0 || ::lseek(file_.get(), end, SEEK_SET) != end) fail_to_write(path_);
 }
 
 void RunLog::write_line(const std::string& line) {
-  const std::string whole = line + '\n';
-  if (std::fwrite(whole.data(), 1, whole.size(), file_.get()) != whole.size() ||
-      std::fflush(file_.get()) != 0) {
-    throw Failure(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
+  if (!is_still(file_.get(), path_)) {
+    throw Failure(fmt::format(
+        "{}: was removed or replaced while the study ran; nothing more is measured, start it again",
+        path_.string()));
   }
+  const std::string whole = line + '\n';
+  if (!write_all(file_.get(), whole) || ::fdatasync(file_.get()) != 0) {
+    const int reason = errno;
+    if (::ftruncate(file_.get(), static_cast<off_t>(bytes_)) != 0) {
+      // The next start drops what is no whole line.
+    }
+    errno = reason;
+    fail_to_write(path_);
+  }
+  bytes_ += whole.size();
 }
 
 void RunLog::append(const RunRecord& record) {

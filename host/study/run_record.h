@@ -1,13 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "base/descriptor.h"
 #include "study/plan.h"
 
 namespace capcon {
@@ -42,8 +41,8 @@ struct RunFile {
 /// InputError with file:line for a line that is not what it should be.
 RunFile read_runs(const std::filesystem::path& path);
 
-/// runs.jsonl as a study goes: opened once, every line flushed, so that what is finished stays whatever
-/// happens.
+/// runs.jsonl as a study goes: opened once, every line flushed to disk, so that what is finished stays
+/// whatever happens.
 class RunLog {
  public:
   /// Goes on with `path` if its header has the same "settings_hash"; else, or when `fresh`, the file is kept
@@ -59,13 +58,16 @@ class RunLog {
   const std::filesystem::path& moved() const { return moved_; }
 
  private:
+  void open(std::uintmax_t bytes);
+  void cut();
   void write_line(const std::string& line);
 
   std::filesystem::path path_;
   std::filesystem::path moved_;
   nlohmann::json header_;
   std::vector<RunRecord> records_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, std::fclose};
+  Descriptor file_;
+  std::uintmax_t bytes_ = 0;  ///< of whole lines
 };
 
 }  // namespace capcon

@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <numeric>
 #include <set>
@@ -10,6 +11,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/progress.h"
+#include "base/stop.h"
 #include "image/compare.h"
 #include "study/coarse.h"
 
@@ -67,10 +69,8 @@ Measured measure(const PlannedRun& run, const StudySettings& settings, const Ren
   return {std::move(record), std::move(result.image)};
 }
 
-void create_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw Failure(fmt::format("cannot create the folder {}: {}", folder.string(), error.message()));
+void check_folder(const fs::path& folder) {
+  create_folder(folder);
   for (const char* name : {"runs.jsonl", "reference.exr", "study.json", "report.html"})
     check_writable(folder / name);
 }
@@ -83,7 +83,7 @@ RunImages run_images(const fs::path& directory, const std::string& hash) {
 
 StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
                       const RunnerOptions& options) {
-  create_folder(options.directory);
+  check_folder(options.directory);
   const std::string hash = settings_hash(settings, device.info);
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   RunLog log(options.directory / "runs.jsonl",
@@ -102,20 +102,24 @@ StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
   double total = settings.reference_groups * (settings.reference_samples + kCostOfARender);
   for (const PlannedRun& run : plan) total += run.samples + kCostOfARender;
   double done = 0;
+  const auto finished_runs = std::count_if(plan.begin(), plan.end(),
+                                           [&](const PlannedRun& run) { return log.find(run) != nullptr; });
+  std::size_t done_runs = static_cast<std::size_t>(finished_runs);
   Progress progress("study", total, options.quiet);
+  const auto kept = [&] {
+    return fmt::format("{} of {} runs are kept in {}, and the same command goes on from there", done_runs,
+                       plan.size(), options.directory.string());
+  };
+  StopMessage stop(kept());
   const auto step = [&](std::uint32_t samples, const std::string& note) {
     done += samples + kCostOfARender;
     progress.update(done, note);
-    if (options.interrupted()) {
-      throw Interrupted(
-          fmt::format("stopped; {} of {} runs are kept in {}, and the same command goes on from there",
-                      log.records().size(), plan.size(), options.directory.string()));
-    }
+    stop.say(kept());
   };
 
   const fs::path reference_path = options.directory / "reference.exr";
-  if (auto kept = options.fresh ? std::nullopt : read_reference(reference_path, hash)) {
-    result.reference = std::move(*kept);
+  if (auto before = options.fresh ? std::nullopt : read_reference(reference_path, hash)) {
+    result.reference = std::move(*before);
     done += settings.reference_groups * (settings.reference_samples + kCostOfARender);
   } else {
     std::vector<Image> groups;
@@ -144,6 +148,7 @@ StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
     Measured measured = measure(run, settings, device.render, result.reference);
     if (images) images->write(run, measured.image);  // first: a line in runs.jsonl has its image
     log.append(measured.record);
+    ++done_runs;
     result.records.push_back(std::move(measured.record));
     step(run.samples, fmt::format("{} at {} {}, seed {}", run.sampler, run.samples,
                                   words_of(settings.integral).many, run.seed));

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "study/reference_image.h"
 #include "study/run_images.h"
 #include "study/run_record.h"
@@ -26,14 +25,6 @@ struct RunnerOptions {
   std::filesystem::path directory;
   bool fresh = false;  ///< measure again what is already there
   bool quiet = false;
-  /// Asked between renders: true stops the study with Interrupted.
-  std::function<bool()> interrupted = [] { return false; };
-};
-
-/// The user stopped the study; what was finished is kept. Exit code 1.
-class Interrupted : public Failure {
- public:
-  using Failure::Failure;
 };
 
 /// All that was measured.
@@ -52,7 +43,8 @@ struct StudyResult {
 RunImages run_images(const std::filesystem::path& directory, const std::string& hash);
 
 /// Makes reference.exr and runs.jsonl in options.directory (it is created), or goes on with those that are
-/// there.
+/// there. What was measured is on disk before the next render starts, so that the result is the same wherever
+/// the process was ended (by a signal, kill -9, a full disk) and started again; times aside.
 StudyResult run_study(const StudySettings& settings, const StudyDevice& device, const RunnerOptions& options);
 
 }  // namespace capcon

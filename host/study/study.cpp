@@ -1,6 +1,9 @@
 #include "study/study.h"
 
+#include <fmt/format.h>
+
 #include "base/file.h"
+#include "base/stop.h"
 #include "study/report.h"
 
 namespace capcon {
@@ -9,6 +12,8 @@ StudyReport study_report(const StudySettings& settings, const MakeStudyDevice& m
                          const RunnerOptions& options, const std::optional<Explanation>& explanation) {
   StudyReport report;
   report.result = run_study(settings, make_device(settings.width, settings.height), options);
+  const StopMessage stop(fmt::format("all runs are kept in {}, and the same command makes the report",
+                                     options.directory.string()));
   report.figures = make_figures(report.result);
   if (keeps_images(settings.integral)) {
     const std::string hash = settings_hash(settings, report.result.device);

@@ -130,10 +130,16 @@ TEST(IgiStudy, ResumedItGivesTheSameFigures) {
   const Folder folder;
   const StudySettings s = igi_settings();
   const StudyReport whole = study_report(s, igi_device(), into(folder / "whole"));
-  RunnerOptions stopped = into(folder / "stopped");
-  int asked = 0;
-  stopped.interrupted = [&] { return ++asked > 30; };
-  EXPECT_THROW(study_report(s, igi_device(), stopped), Interrupted);
+  struct Ended {};
+  const MakeStudyDevice ends = [](int width, int height) {
+    StudyDevice device = igi_device()(width, height);
+    device.render = [inner = device.render, left = 34](const Job& job) mutable {
+      if (left-- == 0) throw Ended();
+      return inner(job);
+    };
+    return device;
+  };
+  EXPECT_THROW(study_report(s, ends, into(folder / "stopped")), Ended);
   const StudyReport resumed = study_report(s, igi_device(), into(folder / "stopped"));
   EXPECT_GT(resumed.result.resumed, 20u);
   EXPECT_EQ(resumed.json.at("noise").dump(), whole.json.at("noise").dump());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -10,6 +11,7 @@
 #include "folder.h"
 #include "study/figures.h"
 #include "study/study.h"
+#include "study/study_lock.h"
 
 namespace capcon {
 namespace {
@@ -23,6 +25,17 @@ RunnerOptions into(const std::filesystem::path& folder) {
 
 StudyResult run(const StudySettings& s, const RunnerOptions& options, int* renders = nullptr) {
   return run_study(s, fake_device(renders)(s.width, s.height), options);
+}
+
+/// A process ended during its render number `renders` (from 0): nothing that comes after it happens.
+struct Ended {};
+StudyResult run_until(int renders, const StudySettings& s, const std::filesystem::path& folder) {
+  StudyDevice device = fake_device()(s.width, s.height);
+  device.render = [inner = device.render, left = renders](const Job& job) mutable {
+    if (left-- == 0) throw Ended();
+    return inner(job);
+  };
+  return run_study(s, device, into(folder));
 }
 
 TEST(Runner, ReferenceKnowsItsError) {
@@ -75,12 +88,10 @@ TEST(Runner, MakesOneLineARunAndGoesOnWhereItStopped) {
   EXPECT_EQ(file.records.size(), plan_runs(s).size());
   EXPECT_EQ(file.header["settings"]["width"], 40);
 
-  RunnerOptions stopped = into(whole_folder / "stopped");
-  int asked = 0;
-  stopped.interrupted = [&] { return ++asked > 100; };
-  EXPECT_THROW(run(s, stopped), Interrupted);
+  const int before = 4 + static_cast<int>(s.samplers.size());  // the reference's groups and warm-ups
+  EXPECT_THROW(run_until(97 + before, s, whole_folder / "stopped"), Ended);
   const RunFile part = read_runs(whole_folder / "stopped/runs.jsonl");
-  EXPECT_EQ(part.records.size(), 101u - 4);  // four answers came after the reference's groups
+  EXPECT_EQ(part.records.size(), 97u);
   int renders = 0;
   const StudyResult resumed = run(s, into(whole_folder / "stopped"), &renders);
   EXPECT_EQ(resumed.resumed, 97u);
@@ -96,6 +107,89 @@ TEST(Runner, MakesOneLineARunAndGoesOnWhereItStopped) {
   int none = 0;
   run(s, into(whole_folder / "stopped"), &none);
   EXPECT_EQ(none, 0);
+}
+
+// Wherever it was ended, times included: the fake device's are always the same.
+TEST(Runner, EveryPointOfInterruptionGivesTheSameResult) {
+  const Folder folder;
+  StudySettings s = fake_settings();
+  s.width = 8;
+  s.height = 5;
+  s.samples = {1, 4};
+  s.seeds = 2;
+  s.reference_samples = 16;
+  const auto figures_of = [&](const StudyResult& result) {
+    nlohmann::json json = to_json(result, make_figures(result));
+    json.erase("started");
+    for (nlohmann::json& curve : json["curves"])
+      for (nlohmann::json& cell : curve["cells"])
+        for (const char* clock : {"wall_seconds", "wall_seconds_without_points"}) cell.erase(clock);
+    return json;
+  };
+  int renders = 0;
+  const StudyResult straight =
+      run_study(s, fake_device(&renders)(s.width, s.height), into(folder / "straight"));
+  ASSERT_EQ(renders, 4 + 4 + 16);
+  for (int k = 0; k < renders; ++k) {
+    const auto name = folder / ("ended-" + std::to_string(k)).c_str();
+    EXPECT_THROW(run_until(k, s, name), Ended);
+    // Ended again, before anything and right after one more render, then to the end.
+    EXPECT_THROW(run_until(0, s, name), Ended);
+    if (k + 6 < renders) EXPECT_THROW(run_until(1, s, name), Ended);
+    const StudyResult resumed = run(s, into(name));
+    EXPECT_EQ(figures_of(resumed), figures_of(straight)) << k;
+    EXPECT_EQ(resumed.reference.image.pixels, straight.reference.image.pixels) << k;
+    EXPECT_EQ(read_runs(name / "runs.jsonl").records.size(), 16u) << k;
+    EXPECT_FALSE(std::filesystem::exists(name / "runs.1.jsonl")) << k;
+  }
+}
+
+// Cut anywhere, header included: what is whole is kept, the rest measured again.
+TEST(Runner, ALogCutAtAnyByteGoesOn) {
+  const Folder folder;
+  StudySettings s = fake_settings();
+  s.width = 4;
+  s.height = 3;
+  s.samples = {1};
+  s.seeds = 1;
+  s.samplers = {"random", "capcon"};
+  s.reference_samples = 4;
+  const StudyResult straight = run(s, into(folder));
+  const std::string whole = read_file(folder / "runs.jsonl");
+  const std::size_t header = whole.find('\n') + 1;
+  for (std::size_t bytes = header; bytes <= whole.size(); bytes += 7) {
+    write_file(folder / "runs.jsonl", whole.substr(0, bytes));
+    const StudyResult resumed = run(s, into(folder));
+    ASSERT_EQ(resumed.records.size(), 2u);
+    EXPECT_EQ(resumed.resumed,
+              static_cast<std::size_t>(std::count(whole.begin() + static_cast<std::ptrdiff_t>(header),
+                                                  whole.begin() + static_cast<std::ptrdiff_t>(bytes), '\n')));
+    EXPECT_EQ(resumed.records[1].mse, straight.records[1].mse);
+    EXPECT_TRUE(resumed.moved.empty());
+  }
+}
+
+TEST(Runner, AFolderThatVanishesEndsTheStudy) {
+  const Folder folder;
+  const StudySettings s = fake_settings();
+  StudyDevice device = fake_device()(s.width, s.height);
+  int renders = 0;
+  device.render = [&, inner = device.render](const Job& job) {
+    if (++renders == 20) std::filesystem::remove_all(folder / "r");
+    return inner(job);
+  };
+  EXPECT_THROW(run_study(s, device, into(folder / "r")), Failure);
+  EXPECT_EQ(renders, 20) << "went on measuring for nobody";
+}
+
+TEST(Runner, OneStudyAFolder) {
+  const Folder folder;
+  {
+    const StudyLock first(folder / "r");
+    EXPECT_THROW(StudyLock(folder / "r"), Failure);
+    EXPECT_NO_THROW(StudyLock(folder / "other"));
+  }
+  EXPECT_NO_THROW(StudyLock(folder / "r"));
 }
 
 TEST(Runner, ExtendsAStudyAndKeepsOtherSettingsApart) {

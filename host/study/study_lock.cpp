@@ -1,0 +1,22 @@
+#include "study/study_lock.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file.h"
+
+namespace capcon {
+
+StudyLock::StudyLock(const std::filesystem::path& folder) {
+  create_folder(folder);
+  folder_ = Descriptor(folder, O_RDONLY | O_DIRECTORY);
+  if (folder_.get() < 0) fail_to_write(folder);
+  if (!lock(folder_.get())) {
+    throw Failure(fmt::format(
+        "{}: another study is running in this folder; wait until it is done, or choose another with -o",
+        folder.string()));
+  }
+}
+
+}  // namespace capcon
