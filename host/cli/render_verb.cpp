@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/progress.h"
+#include "base/stop.h"
 #include "cli/cold_explain.h"
 #include "cli/job_options.h"
 #include "cli/profile_table.h"
@@ -93,6 +94,11 @@ Outcome render_large(const Options& o, const Job& job, const Scene& scene, Rende
     fmt::print(stderr, "capcon: going on from {} of {} rows in {}.partial\n", partial.row_count(), height,
                o.output);
   }
+  const auto kept = [&] {
+    return fmt::format("{} of {} rows are kept in {}.partial, and the same command goes on from there",
+                       partial.row_count(), height, o.output);
+  };
+  StopMessage stop(kept());
   Progress progress("rendering", height, o.quiet);
   for (int first = 0; first < height; first += rows) {
     const int count = std::min(rows, height - first);
@@ -102,6 +108,7 @@ Outcome render_large(const Options& o, const Job& job, const Scene& scene, Rende
         job, first, count, [&](double fraction) { progress.update(first + fraction * count); });
     const auto writing = Clock::now();
     partial.add(first, band.image.pixels);
+    stop.say(kept());
     merge(band.timings, outcome.timings);
     outcome.timings.wall["write"] += seconds_since(writing);
     if (outcome.result.rays == 0) outcome.result.first_dispatch = band.first_dispatch;

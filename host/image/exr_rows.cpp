@@ -8,8 +8,8 @@
 #include <cassert>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "image/exr_header.h"
@@ -46,7 +46,7 @@ class FileOutput : public Imf::OStream {
 
  private:
   static void check(bool good) {
-    if (!good) throw std::runtime_error(std::strerror(errno));
+    if (!good) throw std::runtime_error(reason_of(errno));
   }
   std::FILE* file_;
 };

@@ -1,5 +1,6 @@
 #include "image/partial_image.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/hash.h"
 
@@ -32,24 +34,30 @@ PartialImage::PartialImage(std::filesystem::path path, std::uint64_t key, int wi
       width_(width),
       height_(height),
       channels_(channels) {
-  open_existing();
-  if (!file_) create();
+  open();
+  if (!read_existing()) create();
 }
 
 PartialImage::~PartialImage() {
   if (file_) std::fclose(file_);
 }
 
-void PartialImage::open_existing() {
-  file_ = std::fopen(path_.c_str(), "r+b");
-  if (!file_) return;
+void PartialImage::open() {
+  const int file = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  file_ = file < 0 ? nullptr : ::fdopen(file, "r+b");
+  if (!file_) fail_to_write(path_);
+  if (!lock(file)) {
+    std::fclose(file_);
+    throw Failure(fmt::format(
+        "{}: another capcon is rendering into this file; wait until it is done, or choose another -o",
+        path_.string()));
+  }
+}
+
+bool PartialImage::read_existing() {
   std::string head(header_.size(), '\0');
   std::uint64_t good = header_.size();
-  if (std::fread(head.data(), 1, head.size(), file_) != head.size() || head != header_) {
-    std::fclose(file_);
-    file_ = nullptr;
-    return;
-  }
+  if (std::fread(head.data(), 1, head.size(), file_) != head.size() || head != header_) return false;
   RecordHead record;
   std::vector<float> values;
   while (std::fread(&record, sizeof record, 1, file_) == 1) {
@@ -64,17 +72,23 @@ void PartialImage::open_existing() {
   }
   // What follows was being written when the program ended.
   std::fflush(file_);
-  if (::ftruncate(::fileno(file_), static_cast<off_t>(good)) != 0 || ::fseeko(file_, 0, SEEK_END) != 0) {
-    throw Failure(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
-  }
+  if (::ftruncate(::fileno(file_), static_cast<off_t>(good)) != 0 || ::fseeko(file_, 0, SEEK_END) != 0)
+    fail_to_write(path_);
+  return true;
 }
 
 void PartialImage::create() {
-  file_ = std::fopen(path_.c_str(), "w+b");
-  if (!file_ || std::fwrite(header_.data(), 1, header_.size(), file_) != header_.size() ||
-      std::fflush(file_) != 0) {
-    throw Failure(fmt::format("cannot write {}: {}", path_.string(), std::strerror(errno)));
+  std::rewind(file_);
+  if (::ftruncate(::fileno(file_), 0) == 0 &&
+      std::fwrite(header_.data(), 1, header_.size(), file_) == header_.size() && std::fflush(file_) == 0 &&
+      ::fsync(::fileno(file_)) == 0) {
+    return flush_folder(path_.parent_path());
   }
+  const int reason = errno;
+  ::unlink(path_.c_str());
+  std::fclose(file_);
+  errno = reason;
+  fail_to_write(path_);
 }
 
 bool PartialImage::has(int first_row, int rows) const {
@@ -98,9 +112,8 @@ void PartialImage::add(int first_row, std::span<const float> pixels) {
   if (!good || std::fwrite(&head, sizeof head, 1, file_) != 1 ||
       std::fwrite(pixels.data(), sizeof(float), pixels.size(), file_) != pixels.size() ||
       std::fflush(file_) != 0 || ::fsync(::fileno(file_)) != 0) {
-    throw Failure(
-        fmt::format("cannot write {}: {}; the rows until here are kept, the same command goes on from there",
-                    path_.string(), std::strerror(errno)));
+    throw Failure(fmt::format("cannot write {}: {}; the rows until here are kept, and it goes on from there",
+                              path_.string(), reason_of(errno)));
   }
   records_[first_row] = {static_cast<int>(head.rows), offset + sizeof head};
 }

@@ -16,7 +16,7 @@ namespace capcon {
 class PartialImage {
  public:
   /// Opens or creates the file. `key` says what is being made: the rows of a file with another key (or size)
-  /// are dropped. Failure when it cannot be written.
+  /// are dropped. Failure when it cannot be written, or another process is writing it.
   PartialImage(std::filesystem::path path, std::uint64_t key, int width, int height, int channels);
   PartialImage(const PartialImage&) = delete;
   PartialImage& operator=(const PartialImage&) = delete;
@@ -38,7 +38,8 @@ class PartialImage {
     int rows;
     std::uint64_t offset;  ///< of its values in the file
   };
-  void open_existing();
+  void open();
+  bool read_existing();
   void create();
 
   std::filesystem::path path_;

@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/file.h"
+#include "base/stop.h"
 #include "generator/atelier.h"
 #include "generator/courtyard.h"
 #include "generator/lights.h"
@@ -41,7 +43,7 @@ int run(int argc, char** argv) {
     }
   }
   if (folder.empty()) throw InputError("usage: capcon_scenes [--scale N] FOLDER");
-  std::filesystem::create_directories(folder);
+  create_folder(folder);
   write(scenes::courtyard(scale), folder);
   write(scenes::nave(), folder);
   write(scenes::atelier(), folder);
@@ -53,6 +55,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  capcon::end_on_signals("capcon_scenes");
   try {
     return run(argc, argv);
   } catch (const capcon::InputError& error) {
