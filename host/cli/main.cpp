@@ -1,10 +1,17 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <filesystem>
+#include <iostream>
 #include <new>
+#include <system_error>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/stop.h"
 #include "cli/verbs.h"
 
 namespace {
@@ -12,6 +19,13 @@ namespace {
 // Exit codes of every verb.
 constexpr int kFailure = 1;     // the input was fine, yet the work could not be done
 constexpr int kInputError = 2;  // the command line or a file of the user's is wrong
+// 128 + N: ended by signal N, see base/stop.h
+
+/// One sentence on stderr, if there is anyone to read it.
+void complain(const std::string& sentence) {
+  std::fflush(stderr);
+  capcon::write_all(STDERR_FILENO, "capcon: " + sentence + "\n");
+}
 
 int run(int argc, char** argv) {
   using namespace capcon;
@@ -19,7 +33,10 @@ int run(int argc, char** argv) {
       "capcon: capacity-constrained point sets, and what they are worth in rendering integrals\n\n"
       "  capcon study ambient-occlusion                    error against run time, on the shipped courtyard\n"
       "  capcon render scenes/courtyard.pbrt -o out.exr    one image\n"
-      "  capcon points ccvt -n 1024 -o points.txt          one point set\n",
+      "  capcon points ccvt -n 1024 -o points.txt          one point set\n\n"
+      "Exit codes: 0; 1: the work could not be done; 2: the input is wrong; 130: stopped by Ctrl-C (128 and\n"
+      "the signal's number). A file is written completely or not at all; a stopped study or large render\n"
+      "goes on with the same command.\n",
       "capcon"};
   app.set_version_flag("--version", std::string("capcon ") + std::string(version()));
   app.require_subcommand(1);
@@ -37,30 +54,37 @@ int run(int argc, char** argv) {
   cli::add_info_verb(app);
   try {
     app.parse(argc, argv);
-    std::fflush(stdout);
-    if (std::ferror(stdout)) throw Failure("cannot write to standard output");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) fail_to_write("standard output");
     return 0;
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    app.exit(help);
+    if (std::cout.flush()) return 0;
+    complain("cannot write to standard output: " + reason_of(errno));
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "capcon: {}; see `capcon{} --help`\n", error.what(),
-               app.get_subcommands().empty() ? "" : " " + app.get_subcommands().front()->get_name());
+    complain(
+        fmt::format("{}; see `capcon{} --help`", error.what(),
+                    app.get_subcommands().empty() ? "" : " " + app.get_subcommands().front()->get_name()));
     return kInputError;
   } catch (const InputError& error) {
-    fmt::print(stderr, "capcon: {}\n", error.what());
+    complain(error.what());
     return kInputError;
   } catch (const Failure& error) {
-    fmt::print(stderr, "capcon: {}\n", error.what());
-    return kFailure;
+    complain(error.what());
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "capcon: out of memory; try a smaller image, scene or point set\n");
-    return kFailure;
+    complain("out of memory; try a smaller image, scene or point set");
+  } catch (const std::filesystem::filesystem_error& error) {
+    complain(error.what());
+  } catch (const std::system_error& error) {  // what fmt::print throws
+    complain("cannot write to standard output or error: " + reason_of(error.code().value()));
   } catch (const std::exception& error) {
-    fmt::print(stderr, "capcon: internal error: {}\n", error.what());
-    return kFailure;
+    complain(std::string("internal error: ") + error.what());
   }
+  return kFailure;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return run(argc, argv); }
+int main(int argc, char** argv) {
+  capcon::end_on_signals("capcon");
+  return run(argc, argv);
+}
