@@ -96,8 +96,11 @@ void check_dimensions(const char* what, std::int64_t width, std::int64_t height)
     refuse(fmt::format("its {} of {} x {} pixels is not one this program reads", what, width, height));
 }
 
+constexpr double kFree = 0x1p26;  ///< bytes, whatever the file's length
+
 /// Lines of a chunk, and how many bytes at most become one (deflate: 1032, of which PXR24 makes 4/3; the
-/// others: what a black image took).
+/// others pack a black chunk of any size into some 40 bytes; whoever has larger ones than kFree may use
+/// deflate).
 struct Packing {
   int lines;
   double ratio;
@@ -115,9 +118,9 @@ Packing packing_of(Imf::Compression compression) {
     case Imf::PXR24_COMPRESSION:
       return {16, 1400};
     case Imf::DWAB_COMPRESSION:
-      return {256, 0x1p18};
+      return {256, 0x1p16};
     default:
-      return {32, 0x1p18};
+      return {32, 0x1p16};
   }
 }
 
@@ -147,11 +150,12 @@ void check_header(const Imf::Header& header, std::size_t file_bytes) {
     const std::int64_t h = header.tileDescription().ySize;
     check_dimensions("tile size", w, h);
     chunks = ((width + w - 1) / w) * ((height + h - 1) / h);
-    if (unpacked_bytes(header, w, h) > 0x1p24 + packing.ratio * file_bytes) refuse(std::string(kTooShort));
+    if (unpacked_bytes(header, w, h) > kFree + packing.ratio * file_bytes) refuse(std::string(kTooShort));
   }
-  constexpr std::int64_t kEntry = 8;  // of the table of chunks
+  constexpr std::int64_t kEntry = 8;  // of the table of chunks; OpenEXR takes memory for all lines of one
   if (chunks > static_cast<std::int64_t>(file_bytes) / kEntry ||
-      unpacked_bytes(header, width, height) > 0x1p24 + packing.ratio * file_bytes)
+      unpacked_bytes(header, width, std::max<std::int64_t>(height, packing.lines)) >
+          kFree + packing.ratio * file_bytes)
     refuse(std::string(kTooShort));
 }
 

@@ -14,6 +14,7 @@
 #include <climits>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -36,16 +37,20 @@ std::uint64_t big_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Whether all chunks are as long as they say, up to IEND: stb takes memory for the lengths before it reads.
-bool has_whole_chunks(std::string_view bytes) {
-  constexpr std::size_t kAround = 12;  // length, name, checksum
-  for (std::size_t at = 8; at + kAround <= bytes.size();) {
+/// The file up to its chunk IEND, without empty chunks of pixels, which the format allows and stb copies to a
+/// null pointer. Nothing when a chunk is not as long as it says: stb takes memory for that before it reads.
+std::optional<std::string> whole_chunks(std::string_view bytes) {
+  constexpr std::size_t kStart = 8, kAround = 12;  // length, name, checksum
+  std::string kept(bytes.substr(0, kStart));
+  for (std::size_t at = kStart; at + kAround <= bytes.size();) {
     const std::uint64_t length = big_endian(bytes, at);
-    if (length > bytes.size() - at - kAround) return false;
-    if (bytes.substr(at + 4, 4) == "IEND") return true;
-    at += kAround + length;
+    if (length > bytes.size() - at - kAround) return std::nullopt;
+    const std::string_view chunk = bytes.substr(at, kAround + length), name = chunk.substr(4, 4);
+    if (name != "IDAT" || length > 0) kept += chunk;
+    if (name == "IEND") return kept;
+    at += chunk.size();
   }
-  return false;
+  return std::nullopt;
 }
 
 /// Whether the compressed data could be this image: deflate packs at most 1032 bytes into one.
@@ -60,15 +65,17 @@ bool is_long_enough(std::string_view bytes, std::int64_t width, std::int64_t hei
 }  // namespace
 
 Image read_png(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
-  if (bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0 || bytes.size() > INT_MAX)
+  const std::string file = read_file(path);
+  if (file.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0 || file.size() > INT_MAX)
     throw InputError(path.string() + ": is not a PNG image; give a PNG file");
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const int size = static_cast<int>(bytes.size());
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("{}: cannot be read as a PNG image: {}", path.string(), why));
   };
-  if (!has_whole_chunks(bytes)) refuse("it is cut short or damaged");
+  const std::optional<std::string> chunks = whole_chunks(file);
+  if (!chunks) refuse("it is cut short or damaged");
+  const std::string& bytes = *chunks;
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;  // the header alone first: no memory is taken for a size we refuse
   if (!stbi_info_from_memory(data, size, &width, &height, &channels))
     refuse("its header is broken or names a huge size");

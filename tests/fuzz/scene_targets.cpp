@@ -60,11 +60,16 @@ void check_materials(const Materials& materials) {
 
 void check_lights(const Lights& lights) {
   require(lights.areas.size() == lights.triangles.size(), "an area for each triangle");
+  for (const Environment& environment : lights.environments)
+    for (int c = 0; c < 3; ++c)
+      require(std::isfinite(environment.table.integral[c]), "an environment's light is finite");
   for (const Light& light : lights.values) {
     for (int c = 0; c < 3; ++c)
-      require(light.radiance[c] >= 0 && light.power[c] >= 0, "light is not negative");
+      require(light.radiance[c] >= 0 && std::isfinite(light.radiance[c]), "light is finite, 0 or more");
+    for (int c = 0; c < 3; ++c)
+      require(light.power[c] >= 0 && std::isfinite(light.power[c]), "a power is finite, 0 or more");
     require(light.first_triangle + light.triangle_count <= lights.triangles.size(), "triangles are there");
-    require(light.area >= 0, "an area is not negative");
+    require(light.area >= 0 && std::isfinite(light.area), "an area is finite, 0 or more");
   }
 }
 
