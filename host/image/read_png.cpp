@@ -38,9 +38,11 @@ std::uint64_t big_endian(std::string_view bytes, std::size_t at) {
 }
 
 /// The file up to its chunk IEND, without empty chunks of pixels, which the format allows and stb copies to a
-/// null pointer. Nothing when a chunk is not as long as it says: stb takes memory for that before it reads.
+/// null pointer. Nothing when the header is not first, or a chunk is not as long as it says: stb takes memory
+/// for that before it reads.
 std::optional<std::string> whole_chunks(std::string_view bytes) {
   constexpr std::size_t kStart = 8, kAround = 12;  // length, name, checksum
+  if (bytes.substr(kStart, 8) != std::string_view("\0\0\0\x0dIHDR", 8)) return std::nullopt;
   std::string kept(bytes.substr(0, kStart));
   for (std::size_t at = kStart; at + kAround <= bytes.size();) {
     const std::uint64_t length = big_endian(bytes, at);
