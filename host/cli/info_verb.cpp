@@ -30,7 +30,7 @@ void run(bool json) {
                       {"driver", d.driver},
                       {"vulkan", d.api_version},
                       {"kind", d.kind},
-                      {"usable", d.usable},
+                      {"usable", d.usable()},
                       {"subgroup_size", d.subgroup_size},
                       {"memory_bytes", d.memory_bytes},
                       {"max_storage_buffer_bytes", d.max_storage_bytes},
@@ -43,7 +43,8 @@ void run(bool json) {
   if (devices.empty()) fmt::print("no Vulkan device; --device reference works without one\n");
   for (std::size_t i = 0; i < devices.size(); ++i) {
     const auto& d = devices[i];
-    fmt::print("{}: {} ({}{})\n", i, d.name, d.kind, d.usable ? "" : ", not usable: needs Vulkan 1.2 and a compute queue");
+    fmt::print("{}: {} ({}{})\n", i, d.name, d.kind,
+               d.usable() ? "" : ", not usable: it has no " + d.lacks);
     fmt::print("   driver {}, Vulkan {}, subgroups of {}\n", d.driver, d.api_version, d.subgroup_size);
     fmt::print("   memory {:.1f} GiB, storage buffers up to {:.0f} MiB, texel buffers up to {:.0f} MiB\n",
                static_cast<double>(d.memory_bytes) / (1 << 30), static_cast<double>(d.max_storage_bytes) / (1 << 20),

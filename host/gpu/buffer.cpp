@@ -12,9 +12,9 @@
 namespace capcon::gpu {
 namespace {
 
-Failure no_room(const Device& device, std::uint64_t bytes, std::uint64_t in_use, const char* reason) {
+OutOfMemory no_room(const Device& device, std::uint64_t bytes, std::uint64_t in_use, const char* reason) {
   const auto mebibytes = [](std::uint64_t b) { return static_cast<double>(b) / (1 << 20); };
-  return Failure(
+  return OutOfMemory(
       fmt::format("{} has no room for a buffer of {:.1f} MiB beside the {:.1f} of {:.1f} MiB in use ({}); "
                   "try a smaller scene or image, "
                   "--instancing two-level, or another --device",

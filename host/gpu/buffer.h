@@ -17,8 +17,9 @@ enum class Memory {
   host     ///< mapped: results that the host reads
 };
 
-/// A buffer with its memory, usable as storage and as texels of four 32-bit words (rgba32ui) where the size fits the
-/// device's texel limit. Empty buffers get 16 bytes, so that they can be bound.
+/// A buffer with its memory, usable as storage and as texels of four 32-bit words (rgba32ui) where the size
+/// fits the device's texel limit. Empty buffers get 16 bytes, so that they can be bound. OutOfMemory
+/// (gpu/check.h) where there is no room.
 class Buffer {
  public:
   Buffer() = default;

@@ -2,9 +2,18 @@
 
 #include <vulkan/vulkan.h>
 
+#include "base/error.h"
+
 namespace capcon::gpu {
 
-/// Throws Failure with a sentence when `result` is an error: `doing` completes "cannot ...", e.g. "create a buffer".
+/// The device or the host has no memory left: less at a time may do.
+class OutOfMemory : public Failure {
+ public:
+  using Failure::Failure;
+};
+
+/// Throws Failure with a sentence when `result` is an error: `doing` completes "cannot ...", e.g. "create a
+/// buffer". OutOfMemory where memory is what is missing.
 void check(VkResult result, const char* doing);
 
 /// "device lost" and the like.

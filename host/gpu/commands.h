@@ -10,7 +10,8 @@
 
 namespace capcon::gpu {
 
-/// Commands recorded once, submitted once, waited for. Dispatches run in order; each sees what those before it wrote.
+/// Commands recorded once, submitted once, waited for. Dispatches run in order; each sees what those before
+/// it wrote.
 class Commands {
  public:
   explicit Commands(const Device& device);
@@ -20,8 +21,10 @@ class Commands {
 
   VkCommandBuffer handle() const { return buffer_; }
 
-  /// Records `groups` workgroups (1 ... 65,535) of the kernel, timed under `stage`. At most kMaxDispatches a recording.
-  void dispatch(const Kernel& kernel, const void* push_constants, std::uint32_t groups, const std::string& stage);
+  /// Records `groups` workgroups (1 ... 65,535) of the kernel, timed under `stage`. At most kMaxDispatches a
+  /// recording.
+  void dispatch(const Kernel& kernel, const void* push_constants, std::uint32_t groups,
+                const std::string& stage);
   static constexpr std::uint32_t kMaxDispatches = 64;
 
   void submit_and_wait();
@@ -40,6 +43,7 @@ class Commands {
   VkCommandBuffer buffer_ = VK_NULL_HANDLE;
   VkQueryPool queries_ = VK_NULL_HANDLE;
   VkFence fence_ = VK_NULL_HANDLE;
+  bool running_ = false;  ///< submitted, and not known to be done
   std::vector<Time> times_;
 };
 

@@ -17,7 +17,10 @@ Device::Device(const Instance&, const DeviceDescription& description) : descript
   for (std::uint32_t f = 0; f < count && family == count; ++f) {
     if ((families[f].queueFlags & VK_QUEUE_COMPUTE_BIT) && families[f].timestampValidBits > 0) family = f;
   }
-  if (family == count) throw Failure(description.name + " has no compute queue with timestamps; choose another --device");
+  if (family == count)
+    throw Failure(description.name + " has no compute queue with timestamps; choose another --device");
+  const std::uint32_t bits = families[family].timestampValidBits;
+  if (bits < 64) timestamp_mask_ = (std::uint64_t(1) << bits) - 1;
 
   const float priority = 1;
   VkDeviceQueueCreateInfo queue{};
@@ -35,23 +38,31 @@ Device::Device(const Instance&, const DeviceDescription& description) : descript
   pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
   pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
   pool.queueFamilyIndex = family;
-  const VkResult result = vkCreateCommandPool(handle_, &pool, nullptr, &command_pool_);
-  if (result < 0) vkDestroyDevice(handle_, nullptr);
-  check(result, "create a command pool");
   vkGetPhysicalDeviceMemoryProperties(physical, &memory_);
   VkPhysicalDeviceProperties properties;
   vkGetPhysicalDeviceProperties(physical, &properties);
   timestamp_seconds_ = 1e-9 * properties.limits.timestampPeriod;
-  pipeline_cache_ = std::make_unique<PipelineCache>(handle_, description_);
+  try {
+    check(vkCreateCommandPool(handle_, &pool, nullptr, &command_pool_), "create a command pool");
+    pipeline_cache_ = std::make_unique<PipelineCache>(handle_, description_);
+  } catch (...) {
+    destroy();
+    throw;
+  }
 }
 
 Device::~Device() {
+  destroy();
+}
+
+void Device::destroy() noexcept {
   pipeline_cache_.reset();
   vkDestroyCommandPool(handle_, command_pool_, nullptr);
   vkDestroyDevice(handle_, nullptr);
 }
 
-std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags flags, VkMemoryPropertyFlags wished) const {
+std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags flags,
+                                  VkMemoryPropertyFlags wished) const {
   std::uint32_t found = memory_.memoryTypeCount;
   for (std::uint32_t t = 0; t < memory_.memoryTypeCount; ++t) {
     const VkMemoryPropertyFlags has = memory_.memoryTypes[t].propertyFlags;
@@ -59,7 +70,8 @@ std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags f
     if ((has & wished) == wished) return t;
     if (found == memory_.memoryTypeCount) found = t;
   }
-  if (found == memory_.memoryTypeCount) throw Failure(description_.name + " has no memory of the kind that is needed");
+  if (found == memory_.memoryTypeCount)
+    throw Failure(description_.name + " has no memory of the kind that is needed");
   return found;
 }
 

@@ -17,13 +17,16 @@ struct DeviceDescription {
   std::string api_version;  ///< "1.3.230"
   std::string kind;         ///< discrete, integrated, virtual, cpu, other
   std::uint32_t subgroup_size = 0;
-  std::uint64_t memory_bytes = 0;         ///< largest device-local heap
-  std::uint64_t max_storage_bytes = 0;    ///< of one storage buffer binding
-  std::uint64_t max_texels = 0;           ///< of one texel buffer
-  bool usable = false;                    ///< Vulkan 1.2 and a compute queue
+  std::uint64_t memory_bytes = 0;       ///< largest device-local heap
+  std::uint64_t max_storage_bytes = 0;  ///< of one storage buffer binding
+  std::uint64_t max_texels = 0;         ///< of one texel buffer
+  std::uint32_t max_bindings = 0;  ///< storage buffers, and as many texel buffers, that a kernel can have
+  std::string lacks;               ///< what the kernels need and it does not have; empty: usable
+  bool usable() const { return lacks.empty(); }
 };
 
-/// The Vulkan instance, with the validation layer on request. Failure when there is no Vulkan loader or driver at all.
+/// The Vulkan instance, with the validation layer and its synchronisation validation on request. Failure when
+/// there is no Vulkan loader or driver at all.
 class Instance {
  public:
   explicit Instance(bool validate);
@@ -36,7 +39,8 @@ class Instance {
 
   /// All devices, best first: discrete, integrated, virtual, CPU; among equals the more memory.
   std::vector<DeviceDescription> devices() const;
-  /// "best", "lavapipe", a number of the list, or part of a name. InputError when nothing fits, Failure when there is none.
+  /// "best", "lavapipe", a number of the list, or part of a name. InputError when nothing fits, Failure when
+  /// there is none, or none that can be used.
   DeviceDescription choose(const std::string& selector) const;
 
   /// Messages of the validation layer so far (each is also printed to stderr).

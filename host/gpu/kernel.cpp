@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "gpu/check.h"
 
@@ -9,7 +11,8 @@ namespace capcon::gpu {
 namespace {
 
 VkDescriptorType type_of(Access access) {
-  return access == Access::texels ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+  return access == Access::texels ? VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER
+                                  : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
 
 VkDescriptorSetLayout make_set_layout(const Device& device, const std::map<std::uint32_t, Access>& bindings) {
@@ -22,7 +25,8 @@ VkDescriptorSetLayout make_set_layout(const Device& device, const std::map<std::
   info.bindingCount = static_cast<std::uint32_t>(list.size());
   info.pBindings = list.data();
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  check(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout), "create a descriptor set layout");
+  check(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout),
+        "create a descriptor set layout");
   return layout;
 }
 
@@ -67,8 +71,8 @@ VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, std::spa
     entries.push_back({id, static_cast<std::uint32_t>(4 * values.size()), 4});
     values.push_back(value);
   }
-  const VkSpecializationInfo specialisation{static_cast<std::uint32_t>(entries.size()), entries.data(), 4 * values.size(),
-                                            values.data()};
+  const VkSpecializationInfo specialisation{static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                            4 * values.size(), values.data()};
   VkComputePipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
   info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
@@ -78,7 +82,8 @@ VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, std::spa
   info.stage.pSpecializationInfo = &specialisation;
   info.layout = layout;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  const VkResult result = vkCreateComputePipelines(device.handle(), device.pipeline_cache(), 1, &info, nullptr, &pipeline);
+  const VkResult result =
+      vkCreateComputePipelines(device.handle(), device.pipeline_cache(), 1, &info, nullptr, &pipeline);
   vkDestroyShaderModule(device.handle(), module, nullptr);
   check(result, "compile a kernel");
   return pipeline;
@@ -86,9 +91,19 @@ VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, std::spa
 
 }  // namespace
 
-Kernel::Kernel(const Device& device, std::span<const std::uint32_t> spirv, const std::map<std::uint32_t, Access>& bindings,
+Kernel::Kernel(const Device& device, std::span<const std::uint32_t> spirv,
+               const std::map<std::uint32_t, Access>& bindings,
                const std::map<std::uint32_t, std::uint32_t>& constants, std::uint32_t push_bytes)
     : device_(&device), bindings_(bindings), push_bytes_(push_bytes) {
+  for (const Access access : {Access::texels, Access::storage}) {
+    const auto count =
+        std::count_if(bindings.begin(), bindings.end(), [&](const auto& b) { return b.second == access; });
+    const std::uint32_t most = device.description().max_bindings;
+    if (count > most)
+      throw Failure(
+          fmt::format("{} binds at most {} buffers to a kernel, and {} are needed; try another --device",
+                      device.description().name, most, count));
+  }
   try {
     set_layout_ = make_set_layout(device, bindings);
     pool_ = make_pool(device, bindings);
@@ -106,7 +121,9 @@ Kernel::Kernel(const Device& device, std::span<const std::uint32_t> spirv, const
   }
 }
 
-Kernel::~Kernel() { destroy(); }
+Kernel::~Kernel() {
+  destroy();
+}
 
 void Kernel::destroy() noexcept {
   vkDestroyPipeline(device_->handle(), pipeline_, nullptr);
@@ -129,14 +146,17 @@ void Kernel::bind(std::uint32_t binding, const Buffer& buffer) {
   const VkBufferView view = buffer.texels();
   if (found->second == Access::texels) {
     if (view == VK_NULL_HANDLE) {
-      throw Failure(fmt::format("{} binds at most {} texels, and {} are needed; try a smaller scene or another --device",
-                                limits.name, limits.max_texels, buffer.bytes() / 16));
+      throw Failure(fmt::format(
+          "{} binds at most {} texels, and {} are needed; try a smaller scene or another --device",
+          limits.name, limits.max_texels, buffer.bytes() / 16));
     }
     write.pTexelBufferView = &view;
   } else {
     if (buffer.bytes() > limits.max_storage_bytes) {
-      throw Failure(fmt::format("{} binds at most {} bytes of storage, and {} are needed; try a smaller scene or image, or another --device",
-                                limits.name, limits.max_storage_bytes, buffer.bytes()));
+      throw Failure(
+          fmt::format("{} binds at most {} bytes of storage, and {} are needed; try a smaller scene or "
+                      "image, or another --device",
+                      limits.name, limits.max_storage_bytes, buffer.bytes()));
     }
     write.pBufferInfo = &info;
   }

@@ -19,15 +19,17 @@ enum class Access {
 /// One compute pipeline with its own descriptor set.
 class Kernel {
  public:
-  /// `bindings`: number -> how the shader declares it. `constants`: specialisation constants, id -> 32-bit value.
-  Kernel(const Device& device, std::span<const std::uint32_t> spirv, const std::map<std::uint32_t, Access>& bindings,
+  /// `bindings`: number -> how the shader declares it. `constants`: specialisation constants, id -> 32-bit
+  /// value.
+  Kernel(const Device& device, std::span<const std::uint32_t> spirv,
+         const std::map<std::uint32_t, Access>& bindings,
          const std::map<std::uint32_t, std::uint32_t>& constants, std::uint32_t push_bytes);
   Kernel(const Kernel&) = delete;
   Kernel& operator=(const Kernel&) = delete;
   ~Kernel();
 
-  /// Binds a buffer for the dispatches recorded from now on. Not while one that uses this kernel is running. Failure when
-  /// the buffer is larger than the device can bind.
+  /// Binds a buffer for the dispatches recorded from now on. Not while one that uses this kernel is running.
+  /// Failure when the buffer is larger than the device can bind.
   void bind(std::uint32_t binding, const Buffer& buffer);
 
   VkPipeline pipeline() const { return pipeline_; }
