@@ -96,8 +96,8 @@ Start from_afar(Light l, uvec2 u, uvec2 v) {
 uint end_of(uint light) { return FETCH(light_texels, light * 8u + 6u).w; }
 
 void main() {
-  uint path = gl_GlobalInvocationID.x;
-  bool live = path < push.count;
+  uint path = push.first + gl_GlobalInvocationID.x;
+  bool live = gl_GlobalInvocationID.x < push.batch;
   uint set = (live ? path : 0u) / max(push.split.y, 1u);
   uint index = (live ? path : 0u) - set * push.split.y;
   bool several = push.lights > 1u;

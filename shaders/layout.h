@@ -178,7 +178,7 @@ struct OcclusionConstants {
   uint pad0, pad1, pad2;
 };
 
-// points.comp: the points of pixels 0 ... pixel_count - 1.
+// points.comp: the points of pixels 0 ... pixel_count - 1, numbered through, from `first` on.
 struct PointConstants {
   uvec4 words;        // SamplerTables::constants
   uvec4 split;        // parts, points in a part, and their strides
@@ -186,6 +186,8 @@ struct PointConstants {
   uint pixel_count;
   uint dimension;
   uint domain;
+  uint first;
+  uint pad0, pad1, pad2;
 };
 
 // light_samples.comp and bsdf_samples.comp: 128 bytes.
@@ -243,7 +245,9 @@ struct PathConstants {
   uint bounce;
   uint flags;         // kDirectSeparate
   uint lights;
-  uint pad0, pad1, pad2;
+  uint first;         // path of this batch
+  uint batch;         // paths of this batch
+  uint pad0;
 };
 
 // gather.comp

@@ -13,7 +13,7 @@ layout(push_constant, std430) uniform Push { PointConstants push; };
 layout(set = 0, binding = kBindPoints, std430) writeonly buffer Points { uvec2 points[]; };
 
 void main() {
-  uint local = gl_GlobalInvocationID.x;
+  uint local = push.first + gl_GlobalInvocationID.x;
   uint count = max(push.split.x * push.split.y, 1u);  // 0: the warm-up run
   uint pixel = local / count;
   if (pixel < push.pixel_count) {

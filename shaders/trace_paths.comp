@@ -13,8 +13,8 @@ layout(set = 0, binding = kBindPathHits, std430) writeonly buffer PathHits { uve
 const float kMostGoOn = 0.984375;  // 63/64
 
 void main() {
-  uint path = gl_GlobalInvocationID.x;
-  bool inside = path < push.count;
+  uint path = push.first + gl_GlobalInvocationID.x;
+  bool inside = gl_GlobalInvocationID.x < push.batch;
   uint at = inside ? path : 0u;
   uvec4 s0 = paths[at * 3u], s1 = paths[at * 3u + 1u], s2 = paths[at * 3u + 2u];
   vec3 flux = uintBitsToFloat(s2.xyz);

@@ -71,19 +71,21 @@ class AmbientOcclusionPass : Pass {
     push.count = job_.samples;
     push.band = band_;
     push.radius = static_cast<float>(std::min(job_.radius, 3e38));
-    const std::uint32_t part = std::min<std::uint64_t>(samples, kBatchLanes);
-    const std::uint64_t batch_pixels = std::max<std::uint64_t>(1, kBatchLanes / part);
-    for (std::uint32_t from = 0; from < samples; from += part) {
+    const auto lanes = [&] { return batches_.lanes(*occlusion_); };
+    for (std::uint32_t from = 0; from < samples; from += push.samples) {
       push.first_sample = first_sample + from;
-      push.samples = std::min(part, samples - from);
-      each_piece(batch_pixels, [&](std::uint32_t first, std::uint32_t pixels) {
-        push.first_pixel = band_ + first;
-        push.pixel_count = pixels;
-        const std::uint32_t groups = groups_for(std::uint64_t(pixels) * push.samples);
-        push.group_stride = spreading_stride(groups);
-        submit(*occlusion_, &push, groups, "occlusion");
-        progress(static_cast<double>(pixels) * push.samples, static_cast<double>(pixels_) * job_.samples);
-      });
+      push.samples =
+          static_cast<std::uint32_t>(std::min<std::uint64_t>({samples - from, kMostSamples, lanes()}));
+      each_piece([&] { return lanes() / push.samples; },
+                 [&](std::uint32_t first, std::uint32_t pixels) {
+                   push.first_pixel = band_ + first;
+                   push.pixel_count = pixels;
+                   const std::uint32_t groups = groups_for(std::uint64_t(pixels) * push.samples);
+                   push.group_stride = spreading_stride(groups);
+                   submit(*occlusion_, &push, groups, "occlusion");
+                   progress(static_cast<double>(pixels) * push.samples,
+                            static_cast<double>(pixels_) * job_.samples);
+                 });
     }
   }
 

@@ -21,8 +21,10 @@ struct RendererOptions {
   /// "auto" (best where the first job's rays pay for it), "fast" or "best": whether primitives may be cut for
   /// a better tree.
   std::string tree = "auto";
-  bool shading = false;  ///< prepare for direct lighting, whatever the first job is
+  bool shading = false;   ///< prepare for direct lighting, whatever the first job is
   bool validate = false;  ///< load the Khronos validation layer; its messages make the render fail
+  /// Lanes of each dispatch, for tests; 0: adapted to the device's speed. No bit of an image depends on it.
+  std::uint64_t batch_lanes = 0;
   bool keep_everything =
       false;  ///< upload and compile what the job does not need, too: for `capcon render --explain`
 };

@@ -7,9 +7,6 @@
 namespace capcon {
 namespace {
 
-/// Samples of a pixel in one dispatch: a thread of resolve.comp adds them up in one loop.
-constexpr std::uint32_t kMostSamples = 1u << 14;
-
 std::uint32_t strategy_constant(Strategy strategy) {
   if (strategy == Strategy::power) return layout::kStrategyPower;
   return strategy == Strategy::balance ? layout::kStrategyBalance : layout::kStrategyOne;
@@ -81,7 +78,7 @@ RenderResult DirectLightingPass::run() {
   const auto start = Clock::now();
   make_points();
   result_.timings.wall["points"] = seconds_since(start);
-  s_.need_samples(kBatchLanes);
+  s_.need_samples();
   make_kernels();
   result_.timings.wall["compile"] = s_.kernels.take_compile_seconds();
   result_.first_dispatch = Clock::now();
@@ -140,24 +137,35 @@ void DirectLightingPass::direct_light(std::uint32_t first, std::uint32_t count) 
   if (lights_.empty() && !bsdf_) return;
   single_samples(first, count);
   if (sampled_ == 0 && !bsdf_) return;
-  const std::uint32_t part = std::min(count, kMostSamples);
-  const std::uint64_t batch_pixels = std::max<std::uint64_t>(1, kBatchLanes / part);
-  for (std::uint32_t from = 0; from < count; from += part) {
-    const std::uint32_t samples = std::min(part, count - from);
-    each_piece(batch_pixels, [&](std::uint32_t pixel, std::uint32_t pixels) {
-      samples_of(band_ + pixel, pixels, first + from, samples);
-      if (tells_progress_)
-        progress(static_cast<double>(pixels) * samples, static_cast<double>(pixels_) * job_.samples());
-    });
+  const auto lanes = [&] { return batch_lanes(false); };
+  for (std::uint32_t from = 0, samples = 0; from < count; from += samples) {
+    samples = static_cast<std::uint32_t>(std::min<std::uint64_t>({count - from, kMostSamples, lanes()}));
+    each_piece([&] { return lanes() / samples; },
+               [&](std::uint32_t pixel, std::uint32_t pixels) {
+                 samples_of(band_ + pixel, pixels, first + from, samples);
+                 if (tells_progress_)
+                   progress(static_cast<double>(pixels) * samples,
+                            static_cast<double>(pixels_) * job_.samples());
+               });
   }
 }
 
 /// Point and distant lights: all samples are the same, and one stands for them.
 void DirectLightingPass::single_samples(std::uint32_t first, std::uint32_t count) {
   if (sampled_ == lights_.size()) return;
-  each_piece(kBatchLanes, [&](std::uint32_t pixel, std::uint32_t pixels) {
-    samples_of(band_ + pixel, pixels, first, 1, static_cast<float>(count));
-  });
+  each_piece([&] { return batch_lanes(true); },
+             [&](std::uint32_t pixel, std::uint32_t pixels) {
+               samples_of(band_ + pixel, pixels, first, 1, static_cast<float>(count));
+             });
+}
+
+/// Of the lights that one sample is enough for, or of the others and the BSDF.
+std::uint64_t DirectLightingPass::batch_lanes(bool single) const {
+  std::uint64_t fewest = single ? batches_.lanes({}) : batches_.lanes({bsdf_});
+  for (std::size_t j = 0; j < lights_.size(); ++j) {
+    if (is_single(s_.light_list.kinds[j]) == single) fewest = std::min(fewest, batches_.lanes(*lights_[j]));
+  }
+  return fewest;
 }
 
 /// With a weight above 0: the single samples alone.
@@ -195,8 +203,13 @@ void DirectLightingPass::samples_of(std::uint32_t first_pixel, std::uint32_t pix
 void DirectLightingPass::emission(float weight) {
   const auto lights = static_cast<std::uint32_t>(s_.light_list.kinds.size());
   if (lights == 0) return;
-  layout::EmissionConstants push{band_, band_pixels_, band_, s_.light_list.area_lights, lights, weight, 0, 0};
-  submit(*emission_, &push, groups_for(band_pixels_), "emission");
+  layout::EmissionConstants push{0, 0, band_, s_.light_list.area_lights, lights, weight, 0, 0};
+  each_piece([&] { return batches_.lanes(*emission_); },
+             [&](std::uint32_t first, std::uint32_t pixels) {
+               push.first_pixel = band_ + first;
+               push.pixel_count = pixels;
+               submit(*emission_, &push, groups_for(pixels), "emission");
+             });
 }
 
 void DirectLightingPass::add_up(gpu::Kernel& kernel, std::uint32_t first_pixel, std::uint32_t pixels,

@@ -55,6 +55,7 @@ class DirectLightingPass : public Pass {
   void samples_of(std::uint32_t first_pixel, std::uint32_t pixels, std::uint32_t first, std::uint32_t samples,
                   float weight = 0);
   void emission(float weight);
+  std::uint64_t batch_lanes(bool single) const;
 
   SamplerTables tables_, image_tables_;
   std::vector<glm::uvec4> order_;

@@ -4,8 +4,12 @@
 
 namespace capcon {
 
-/// Lanes of one dispatch: a fifth of a second on a slow CPU device, far below any driver's watchdog.
+/// The most lanes of one dispatch: a fifth of a second on a slow CPU device (render/batches.h makes them
+/// fewer where they take longer).
 constexpr std::uint64_t kBatchLanes = 1 << 19;
+
+/// Samples of a pixel in one dispatch, at most, so that one pixel makes no long dispatch.
+constexpr std::uint32_t kMostSamples = 1u << 14;
 
 /// Workgroups for so many lanes.
 std::uint32_t groups_for(std::uint64_t lanes);

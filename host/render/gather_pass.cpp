@@ -52,18 +52,18 @@ void GatherPass::gather(gpu::Kernel& kernel, gpu::Kernel& sum, GatherWork work, 
   for (std::uint32_t c = 0; c < work.block * work.block; ++c)
     most = std::max(most, lights_.count(work.first_set + c));
   if (most == 0 || work.pixel_count == 0) return;
-  const auto fitting = static_cast<std::uint32_t>(kBatchLanes / work.pixel_count);
-  const std::uint32_t columns = std::min(most, std::clamp(fitting, kFewestColumns, kMostColumns));
-  const std::uint32_t piece = static_cast<std::uint32_t>(kBatchLanes) / columns;
+  const auto lanes = [&] { return static_cast<std::uint32_t>(batches_.lanes(kernel)); };
   layout::GatherConstants push{};
   push.tree = s_.tree;
   push.eye = with_word(s_.view.eye, 0u);
   push.two_sided = two_sided ? 1 : 0;
-  const std::uint32_t end = work.first_pixel + work.pixel_count;
-  for (; work.first_pixel < end; work.first_pixel += piece) {
-    work.pixel_count = std::min(piece, end - work.first_pixel);
-    for (std::uint32_t first = 0; first < most; first += columns) {
-      const std::uint32_t count = std::min(columns, most - first);
+  const std::uint32_t all = work.pixel_count, end = work.first_pixel + all;
+  for (; work.first_pixel < end; work.first_pixel += work.pixel_count) {
+    const std::uint32_t columns =
+        std::min({most, std::clamp(lanes() / all, kFewestColumns, kMostColumns), lanes()});
+    work.pixel_count = std::min(lanes() / columns, end - work.first_pixel);
+    for (std::uint32_t first = 0, count = 0; first < most; first += count) {
+      count = std::min(most - first, std::clamp(lanes() / work.pixel_count, 1u, kMostColumns));
       gather_batch(work, lights_, push, first, count, [&](const auto& batch, std::uint32_t groups) {
         submit(kernel, &batch, groups, pixels ? "gather" : "compensation");
       });

@@ -10,8 +10,8 @@
 namespace capcon {
 namespace {
 
-constexpr std::uint32_t kMostLevels = 64;              // surfaces of a chain of compensation rays
-constexpr std::uint32_t kCompensationRays = 1u << 17;  // of a batch
+constexpr std::uint32_t kMostLevels = 64;        // surfaces of a chain of compensation rays
+constexpr std::uint32_t kCompensationShare = 4;  // of a batch's lanes: their rays take more room
 
 std::uint32_t gather_seed(std::uint32_t seed) {
   return seed ^ 0x67617468u;
@@ -82,18 +82,18 @@ class GlobalIlluminationPass : public GatherPass {
       s_.set_gather_sampler(gather_tables_);
     }
     result_.timings.wall["points"] += seconds_since(start);
-    s_.need_samples(kBatchLanes);
+    s_.need_samples();
     make_kernels();
     gather_ = &s_.kernel(kGather);
     if (compensates_) {
-      s_.need_paths(0, kCompensationRays);
+      s_.need_paths(0, std::max<std::uint64_t>(s_.most_lanes / kCompensationShare, igi_.gather));
       compensation_ = &s_.kernel(compensation_variant(gather_tables_.id));
       onwards_ = &s_.kernel(of_receivers("compensation"));
       gather_beyond_ = &s_.kernel(of_receivers("gather"));
       sum_beyond_ = &s_.kernel(of_receivers("resolve"));
       direct_ = direct_variants(s_, job_, layout::kSamplerRandom, false, true);
       for (const auto* variants : {&direct_.lights, &direct_.bsdf}) {
-        for (const KernelVariant& variant : *variants) s_.kernel(variant);
+        for (const KernelVariant& variant : *variants) direct_kernels_.push_back(&s_.kernel(variant));
       }
     }
     result_.timings.wall["compile"] = s_.kernels.take_compile_seconds();
@@ -132,22 +132,32 @@ class GlobalIlluminationPass : public GatherPass {
     push.part_stride = gather_split_.part_stride;
     push.ray_stride = gather_split_.point_stride;
     push.limit = limit_;
-    each_piece(kCompensationRays / igi_.gather, [&](std::uint32_t first, std::uint32_t pixels) {
-      push.first_pixel = band_ + first;
-      push.pixel_count = pixels;
-      push.rays = igi_.gather;
-      push.level = 0;
-      Receivers receivers = find(*compensation_, push, nullptr);
-      layout::CompensationConstants on = push;
-      on.first_pixel = on.band = 0;
-      on.rays = 1;
-      for (std::uint32_t level = 1; level <= kMostLevels && receivers.count() > 0; ++level) {
-        light(receivers, level, weight);
-        on.level = level;
-        on.pixel_count = receivers.count();
-        if (level < kMostLevels) receivers = find(*onwards_, on, &receivers);
-      }
-    });
+    each_piece([&] { return compensation_lanes() / igi_.gather; },
+               [&](std::uint32_t first, std::uint32_t pixels) {
+                 push.first_pixel = band_ + first;
+                 push.pixel_count = pixels;
+                 push.rays = igi_.gather;
+                 push.level = 0;
+                 Receivers receivers = find(*compensation_, push, nullptr);
+                 layout::CompensationConstants on = push;
+                 on.first_pixel = on.band = 0;
+                 on.rays = 1;
+                 for (std::uint32_t level = 1; level <= kMostLevels && receivers.count() > 0; ++level) {
+                   light(receivers, level, weight);
+                   on.level = level;
+                   on.pixel_count = receivers.count();
+                   if (level < kMostLevels) receivers = find(*onwards_, on, &receivers);
+                 }
+               });
+  }
+
+  /// Rays that a piece may have, so that neither they nor what follows them take long.
+  std::uint64_t compensation_lanes() const {
+    std::uint64_t fewest = std::min(batches_.lanes(*compensation_), s_.most_lanes / kCompensationShare);
+    fewest = std::min(fewest, batches_.lanes_onwards(*onwards_));
+    for (const gpu::Kernel* kernel : direct_kernels_)
+      fewest = std::min(fewest, batches_.lanes_onwards(*kernel));
+    return fewest;
   }
 
   Receivers find(gpu::Kernel& kernel, const layout::CompensationConstants& push, const Receivers* before) {
@@ -225,7 +235,8 @@ class GlobalIlluminationPass : public GatherPass {
   DirectVariants direct_;
   gpu::Kernel *gather_ = nullptr, *compensation_ = nullptr, *onwards_ = nullptr, *gather_beyond_ = nullptr,
               *sum_beyond_ = nullptr;
-  std::uint32_t set_ = 0;  ///< of the pixel at block (0, 0), the one that lights now
+  std::vector<const gpu::Kernel*> direct_kernels_;  ///< of direct_
+  std::uint32_t set_ = 0;                           ///< of the pixel at block (0, 0), the one that lights now
   std::vector<double> more_;
 };
 

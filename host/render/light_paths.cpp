@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 
@@ -34,7 +35,7 @@ std::vector<SampleDomain> domains_of(const std::vector<std::uint32_t>& kinds) {
 class LightPaths {
  public:
   LightPaths(RendererState& state, const GlobalIlluminationJob& job, Timings& timings)
-      : s_(state), job_(job), timings_(timings), sets_(job.sets) {}
+      : s_(state), job_(job), timings_(timings), batches_(state.batches()), sets_(job.sets) {}
 
   DeviceVirtualLights run() {
     start();
@@ -72,10 +73,16 @@ class LightPaths {
 
   void dispatch(gpu::Kernel& kernel) {
     const auto begin = Clock::now();
-    gpu::Commands commands(s_.device);
-    commands.dispatch(kernel, &push_, groups_for(push_.count), "light paths");
-    commands.submit_and_wait();
-    for (const auto& time : commands.times()) timings_.device[time.stage] += time.seconds;
+    for (push_.first = 0; push_.first < push_.count; push_.first += push_.batch) {
+      push_.batch = static_cast<std::uint32_t>(
+          std::min<std::uint64_t>(batches_.lanes(kernel), push_.count - push_.first));
+      gpu::Commands commands(s_.device);
+      commands.dispatch(kernel, &push_, groups_for(push_.batch), "light paths");
+      commands.submit_and_wait();
+      const double seconds = commands.times().front().seconds;
+      batches_.took(kernel, push_.batch, seconds);
+      timings_.device["light paths"] += seconds;
+    }
     timings_.wall["light paths"] += seconds_since(begin);
   }
 
@@ -113,6 +120,7 @@ class LightPaths {
   RendererState& s_;
   const GlobalIlluminationJob& job_;
   Timings& timings_;
+  Batches batches_;
   gpu::Kernel* trace_ = nullptr;
   layout::PathConstants push_{};
   std::vector<Set> sets_;

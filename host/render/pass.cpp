@@ -10,7 +10,7 @@ glm::vec4 with_word(const glm::dvec3& v, std::uint32_t w) {
 
 Pass::Pass(RendererState& state, int first_row, int rows, int channels,
            const std::function<void(double)>& on_progress)
-    : s_(state), on_progress_(on_progress) {
+    : s_(state), on_progress_(on_progress), batches_(state.batches()) {
   const auto width = static_cast<std::uint32_t>(state.film.width);
   first_ = width * static_cast<std::uint32_t>(first_row);
   pixels_ = width * static_cast<std::uint32_t>(rows);
@@ -29,11 +29,12 @@ void Pass::primary(const gpu::Kernel& kernel, const SamplerTables& tables, bool 
   push.seed = seed;
   push.count = count;
   push.sample_index = sample_index;
-  each_piece(kBatchLanes, [&](std::uint32_t first, std::uint32_t pixels) {
-    push.first_pixel = band_ + first;
-    push.corner = with_word(s_.view.corner, pixels);
-    submit(kernel, &push, groups_for(pixels), "primary");
-  });
+  each_piece([&] { return batches_.lanes(kernel); },
+             [&](std::uint32_t first, std::uint32_t pixels) {
+               push.first_pixel = band_ + first;
+               push.corner = with_word(s_.view.corner, pixels);
+               submit(kernel, &push, groups_for(pixels), "primary");
+             });
 }
 
 void Pass::submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups,
@@ -42,7 +43,10 @@ void Pass::submit(const gpu::Kernel& kernel, const void* push, std::uint32_t gro
   gpu::Commands commands(s_.device);
   commands.dispatch(kernel, push, groups, stage);
   commands.submit_and_wait();
-  for (const auto& time : commands.times()) result_.timings.device[time.stage] += time.seconds;
+  for (const auto& time : commands.times()) {
+    result_.timings.device[time.stage] += time.seconds;
+    batches_.took(kernel, std::uint64_t(groups) * layout::kGroupSize, time.seconds);
+  }
   result_.timings.wall[stage] += seconds_since(start);
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "render/batches.h"
 #include "render/dispatch.h"
 #include "render/renderer_state.h"
 #include "scene/job.h"
@@ -31,12 +32,14 @@ class Pass {
     }
   }
 
-  /// Calls visit(first, count) for pieces of the band's pixels of at most `most`.
-  template <class Visit>
-  void each_piece(std::uint64_t most, const Visit& visit) {
-    for (std::uint64_t first = 0; first < band_pixels_; first += most)
-      visit(static_cast<std::uint32_t>(first),
-            static_cast<std::uint32_t>(std::min<std::uint64_t>(most, band_pixels_ - first)));
+  /// Calls visit(first, count) for pieces of the band's pixels of at most `most()`, or 1, asked for each.
+  template <class Most, class Visit>
+  void each_piece(const Most& most, const Visit& visit) {
+    std::uint64_t count = 0;
+    for (std::uint64_t first = 0; first < band_pixels_; first += count) {
+      count = std::min<std::uint64_t>(std::max<std::uint64_t>(most(), 1), band_pixels_ - first);
+      visit(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count));
+    }
   }
 
   /// What the band's pixels see. `tables`: of the sampler that places image samples, its third word the
@@ -44,7 +47,7 @@ class Pass {
   void primary(const gpu::Kernel& kernel, const SamplerTables& tables, bool jittered, std::uint32_t seed,
                std::uint32_t count, std::uint32_t sample_index);
 
-  /// Runs a kernel and waits; its time counts for `stage`.
+  /// Runs a kernel and waits; its time counts for `stage`, and for the size of its batches.
   void submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups, const std::string& stage);
 
   /// Lanes done, of all.
@@ -60,6 +63,7 @@ class Pass {
   std::uint32_t first_ = 0, pixels_ = 0;      ///< of the rows asked for
   std::uint32_t band_ = 0, band_pixels_ = 0;  ///< of those on the device
   RenderResult result_;
+  Batches batches_;
 
  private:
   double done_ = 0;

@@ -33,14 +33,16 @@ double RayCaster::cast(bool any) {
   double seconds = 0;
   layout::RayConstants push{};
   push.tree = state_.tree;
-  for (std::size_t first = 0; first < count_; first += kBatchLanes) {
+  Batches batches = state_.batches();
+  for (std::size_t first = 0; first < count_; first += push.count) {
     push.first = static_cast<std::uint32_t>(first);
-    push.count = static_cast<std::uint32_t>(std::min<std::size_t>(kBatchLanes, count_ - first));
+    push.count = static_cast<std::uint32_t>(std::min<std::size_t>(batches.lanes(kernel), count_ - first));
     const std::uint32_t groups = groups_for(push.count);
     push.group_stride = spreading_stride(groups);
     gpu::Commands commands(state_.device);
     commands.dispatch(kernel, &push, groups, "rays");
     commands.submit_and_wait();
+    batches.took(kernel, push.count, commands.times().front().seconds);
     seconds += commands.times().front().seconds;
   }
   return seconds;

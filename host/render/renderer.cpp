@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "gpu/check.h"
 #include "render/ambient_occlusion.h"
 #include "render/direct_lighting.h"
 #include "render/global_illumination.h"
@@ -13,6 +14,20 @@
 #include "render/sample_points.h"
 
 namespace capcon {
+namespace {
+
+RenderResult integrate(RendererState& state, const Job& job, int first_row, int rows,
+                       const std::function<void(double)>& on_progress) {
+  if (const auto* direct = std::get_if<DirectLightingJob>(&job))
+    return render_direct_lighting(state, *direct, first_row, rows, on_progress);
+  if (const auto* occlusion = std::get_if<AmbientOcclusionJob>(&job))
+    return render_ambient_occlusion(state, *occlusion, first_row, rows, on_progress);
+  if (const auto* igi = std::get_if<GlobalIlluminationJob>(&job))
+    return render_global_illumination(state, *igi, first_row, rows, on_progress);
+  throw InputError("path tracing is for the reference alone: add --device reference");
+}
+
+}  // namespace
 
 Renderer::Renderer(const Scene& scene, const RendererOptions& options)
     : Renderer(scene, options, open_device(options), nullptr) {}
@@ -29,14 +44,14 @@ RenderResult Renderer::render(const Job& job, const std::function<void(double)>&
 RenderResult Renderer::render_rows(const Job& job, int first_row, int rows,
                                    const std::function<void(double)>& on_progress) {
   RenderResult result;
-  if (const auto* direct = std::get_if<DirectLightingJob>(&job)) {
-    result = render_direct_lighting(*state_, *direct, first_row, rows, on_progress);
-  } else if (const auto* occlusion = std::get_if<AmbientOcclusionJob>(&job)) {
-    result = render_ambient_occlusion(*state_, *occlusion, first_row, rows, on_progress);
-  } else if (const auto* igi = std::get_if<GlobalIlluminationJob>(&job)) {
-    result = render_global_illumination(*state_, *igi, first_row, rows, on_progress);
-  } else {
-    throw InputError("path tracing is for the reference alone: add --device reference");
+  for (bool done = false; !done;) {
+    try {
+      result = integrate(*state_, job, first_row, rows, on_progress);
+      done = true;
+    } catch (const gpu::OutOfMemory&) {
+      // What a job needs beside the scene can be less at a time: the same bits, a little later.
+      if (!state_->shrink()) throw;
+    }
   }
   const int messages = state_->context->instance.message_count();
   if (messages > 0) throw Failure(fmt::format("the validation layer gave {} messages (above)", messages));

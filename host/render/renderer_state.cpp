@@ -7,6 +7,7 @@
 #include <future>
 
 #include "base/error.h"
+#include "gpu/check.h"
 #include "render/ambient_occlusion.h"
 #include "render/direct_lighting.h"
 #include "render/filter_table.h"
@@ -29,6 +30,10 @@ std::uint32_t stack_array(std::uint32_t entries) {
   while (size + kRegisters < entries) size *= 2;
   return size;
 }
+
+// What is worked on at a time when there is no room for more.
+constexpr std::size_t kFewestPixels = 1 << 12;
+constexpr std::uint64_t kFewestLanes = 1 << 14;
 
 /// Whether kernels can read all these buffers by texel or storage bindings on this device.
 bool fits(const gpu::DeviceDescription& device, std::size_t bytes, bool texels) {
@@ -60,6 +65,7 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
       film(scene.film),
       view(make_view(scene.camera, scene.film.width, scene.film.height)) {
   features.shading = features.shading || options.shading;
+  fixed_lanes = options.batch_lanes;
   scene_constants[layout::kSpecQuadrics] = features.quadrics ? 1 : 0;
   scene_constants[layout::kSpecInstances] = features.two_level ? 1 : 0;
   scene_constants[layout::kSpecDetails] = features.shading ? 1 : 0;
@@ -117,22 +123,52 @@ void RendererState::upload(const Geometry& geometry) {
   quadrics = gpu::make_buffer<glm::uvec4>(device, geometry.quadrics);
   instances = gpu::make_buffer<glm::uvec4>(device, geometry.instances);
   details = gpu::make_buffer<glm::uvec4>(device, geometry.details);
-  band_pixels = std::min(kBandPixels, std::size_t(film.width) * film.height);
-  surfaces = gpu::Buffer(device, 32 * band_pixels, gpu::Memory::device);
-  shading = gpu::Buffer(device, features.shading ? 32 * band_pixels : 16, gpu::Memory::device);
-  counts = gpu::Buffer(device, 4 * band_pixels, gpu::Memory::host);
+  // A texel buffer may hold 2^16 texels only, a storage buffer 2^27 bytes.
+  const std::size_t bindable =
+      kernels.texel_fetch() ? description.max_texels : description.max_storage_bytes / 16;
+  band_pixels = std::min({kBandPixels, std::size_t(film.width) * film.height, bindable / 2});
+  most_lanes = std::min<std::uint64_t>(most_lanes, bindable);
   sampler_table = gpu::Buffer(device, 16, gpu::Memory::device);
   image_table = gpu::Buffer(device, 16, gpu::Memory::device);
   order = gpu::Buffer(device, 16, gpu::Memory::device);
-  for (gpu::Buffer* late : {&samples, &sums, &filter, &gather_table, &virtual_lights, &paths, &path_hits,
-                            &found, &receivers, &receiver_shading, &receiver_sums})
+  for (gpu::Buffer* late : {&filter, &gather_table, &virtual_lights, &paths, &path_hits})
     *late = gpu::Buffer(device, 16, gpu::Memory::device);
   if (!features.shading) {
     for (gpu::Buffer* none : {&materials, &textures, &lights, &environments})
       *none = gpu::Buffer(device, 16, gpu::Memory::device);
   }
+  try {
+    make_band();
+  } catch (const gpu::OutOfMemory&) {
+    if (!shrink()) throw;
+  }
   tree.grid_origin = glm::vec4(glm::vec3(geometry.bvh.grid_origin), 0);
   tree.grid_scale = glm::vec4(glm::vec3(geometry.bvh.grid_scale), 0);
+}
+
+void RendererState::make_band() {
+  for (gpu::Buffer* old :
+       {&surfaces, &shading, &counts, &samples, &sums, &found, &receivers, &receiver_shading, &receiver_sums})
+    *old = gpu::Buffer();
+  surfaces = gpu::Buffer(device, 32 * band_pixels, gpu::Memory::device);
+  shading = gpu::Buffer(device, features.shading ? 32 * band_pixels : 16, gpu::Memory::device);
+  counts = gpu::Buffer(device, 4 * band_pixels, gpu::Memory::host);
+  for (gpu::Buffer* late : {&samples, &sums, &found, &receivers, &receiver_shading, &receiver_sums})
+    *late = gpu::Buffer(device, 16, gpu::Memory::device);
+  bind_again();
+}
+
+bool RendererState::shrink() {
+  while (band_pixels > kFewestPixels || most_lanes > kFewestLanes) {
+    band_pixels = std::max(band_pixels / 2, std::min(band_pixels, kFewestPixels));
+    most_lanes = std::max(most_lanes / 2, std::min(most_lanes, kFewestLanes));
+    try {
+      make_band();
+      return true;
+    } catch (const gpu::OutOfMemory&) {
+    }
+  }
+  return false;
 }
 
 void RendererState::upload_shading(const ShadingData& data, bool everything) {
@@ -216,9 +252,9 @@ void RendererState::set_image_sampler(const SamplerTables& tables) {
   grow(image_table, tables.texels);
 }
 
-void RendererState::need_samples(std::size_t lanes) {
-  if (samples.bytes() >= 16 * lanes && sums.bytes() >= 32 * band_pixels) return;
-  samples = gpu::Buffer(device, 16 * lanes, gpu::Memory::device);
+void RendererState::need_samples() {
+  if (samples.bytes() >= 16 * most_lanes && sums.bytes() >= 32 * band_pixels) return;
+  samples = gpu::Buffer(device, 16 * most_lanes, gpu::Memory::device);
   sums = gpu::Buffer(device, 32 * band_pixels, gpu::Memory::device);
   filter = gpu::make_buffer<glm::uvec4>(device, gaussian_filter_table());
   bind_again();

@@ -9,7 +9,9 @@
 
 #include "gpu/buffer.h"
 #include "layout.h"
+#include "render/batches.h"
 #include "render/device_context.h"
+#include "render/dispatch.h"
 #include "render/features.h"
 #include "render/renderer.h"
 #include "render/shading_data.h"
@@ -43,7 +45,9 @@ struct RendererState {
   layout::TreeConstants tree{};
   Constants scene_constants;
   std::uint64_t triangle_count = 0, quadric_count = 0, instance_count = 0, node_count = 0;
-  std::size_t band_pixels = 0;  ///< pixels that surfaces and counts are kept for at a time
+  std::size_t band_pixels = 0;             ///< pixels that surfaces and counts are kept for at a time
+  std::uint64_t most_lanes = kBatchLanes;  ///< of a dispatch
+  std::uint64_t fixed_lanes = 0;           ///< RendererOptions::batch_lanes
   gpu::Buffer nodes, primitives, quadrics, instances, details, surfaces, shading, counts, sampler_table,
       image_table, order, materials, textures, lights, environments, samples, sums, filter;
   /// Of instant global illumination; made when they are first needed. Receivers are surfaces that
@@ -71,12 +75,17 @@ struct RendererState {
   void set_image_sampler(const SamplerTables& tables);
   /// The table of the sampler that compensation rays have.
   void set_gather_sampler(const SamplerTables& tables);
-  /// Room for so many light paths, and for what a batch of compensation rays finds.
+  /// Room for so many light paths, and for what a batch of compensation rays finds. What there is room for
+  /// stays.
   void need_paths(std::size_t paths, std::size_t compensation_rays);
   /// Puts texels where kernels read them; the buffer grows as needed.
   void put(gpu::Buffer& buffer, const std::vector<glm::uvec4>& texels) { grow(buffer, texels); }
   /// What a batch of direct lighting writes to; made when it is first needed.
-  void need_samples(std::size_t lanes);
+  void need_samples();
+  /// Sizes of a job's dispatches.
+  Batches batches() const { return Batches(most_lanes, fixed_lanes); }
+  /// Halves what is worked on at a time, for a device that has no room for it. False: it is little already.
+  bool shrink();
   /// The variant's constants and the scene's.
   Constants constants(const KernelVariant& variant) const;
   gpu::Kernel& kernel(const KernelVariant& variant);
@@ -89,6 +98,7 @@ struct RendererState {
   void compile_for(const Job& job);
   void grow(gpu::Buffer& buffer, const std::vector<glm::uvec4>& texels);
   void upload(const struct Geometry& geometry);
+  void make_band();
   void upload_shading(const ShadingData& data, bool everything);
   void bind_all(gpu::Kernel& kernel, const KernelVariant& variant) const;
   void bind_again() const;

@@ -1,5 +1,7 @@
 #include "render/sample_points.h"
 
+#include <algorithm>
+
 namespace capcon {
 
 std::vector<FixedPoint> read_sample_points(RendererState& state, const Sampler& sampler, std::uint32_t pixels,
@@ -18,11 +20,16 @@ std::vector<FixedPoint> read_sample_points(RendererState& state, const Sampler& 
   push.pixel_count = pixels;
   push.dimension = dimension;
   push.domain = static_cast<std::uint32_t>(domain);
-  gpu::Commands commands(state.device);
-  const auto groups =
-      static_cast<std::uint32_t>((points.size() + layout::kGroupSize - 1) / layout::kGroupSize);
-  commands.dispatch(kernel, &push, groups, "points");
-  commands.submit_and_wait();
+  Batches batches = state.batches();
+  for (std::size_t first = 0, count = 0; first < points.size(); first += count) {
+    count = std::min<std::size_t>(batches.lanes(kernel), points.size() - first);
+    count = first + count < points.size() ? groups_for(count) * layout::kGroupSize : count;
+    push.first = static_cast<std::uint32_t>(first);
+    gpu::Commands commands(state.device);
+    commands.dispatch(kernel, &push, groups_for(count), "points");
+    commands.submit_and_wait();
+    batches.took(kernel, count, commands.times().front().seconds);
+  }
   output.download(points.data(), points.size() * sizeof(FixedPoint));
   return points;
 }

@@ -25,6 +25,8 @@ void check_job(const GlobalIlluminationJob& job) {
   require(
       std::uint64_t(job.paths) * job.sets <= (1u << 20),
       fmt::format("{} sets of {} light paths are too many: at most 2^20 paths in all", job.sets, job.paths));
+  require(job.gather <= (1u << 14),
+          fmt::format("{} compensation rays a set are too many: at most 2^14", job.gather));
   require(job.limit >= 0 && std::isfinite(job.limit), "the limit of the geometry term must be above 0");
   const std::uint32_t pixels = job.block * job.block;
   require(job.sets % pixels == 0,
