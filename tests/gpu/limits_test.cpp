@@ -49,7 +49,8 @@ TEST_F(Limits, LargeBuffersAreTexelsOrRefused) {
 
 TEST_F(Limits, MoreThanTheDeviceHasIsSaidWithItsSize) {
   const std::string full = failure([&] { Buffer(device, std::size_t(1) << 50, Memory::device); });
-  EXPECT_NE(full.find("has no room for a buffer of 1073741824.0 MiB beside the 0.0 of "), std::string::npos) << full;
+  EXPECT_NE(full.find("has no room for a buffer of 1073741824.0 MiB beside the 0.0 of "), std::string::npos)
+      << full;
   EXPECT_NE(full.find("try a smaller scene or image"), std::string::npos) << full;
 }
 
