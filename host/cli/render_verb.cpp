@@ -104,8 +104,13 @@ Outcome render_large(const Options& o, const Job& job, const Scene& scene, Rende
     const int count = std::min(rows, height - first);
     progress.update(first);
     if (partial.has(first, count)) continue;
-    RenderResult band = renderer.render_rows(
-        job, first, count, [&](double fraction) { progress.update(first + fraction * count); });
+    RenderResult band;
+    try {
+      band = renderer.render_rows(job, first, count,
+                                  [&](double fraction) { progress.update(first + fraction * count); });
+    } catch (const Failure& failure) {
+      throw Failure(fmt::format("{}; {}", failure.what(), kept()));
+    }
     const auto writing = Clock::now();
     partial.add(first, band.image.pixels);
     stop.say(kept());

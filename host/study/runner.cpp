@@ -111,6 +111,14 @@ StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
                        plan.size(), options.directory.string());
   };
   StopMessage stop(kept());
+  // A device that is lost or has no room: what is finished stays.
+  const RenderJob render = [&](const Job& job) {
+    try {
+      return device.render(job);
+    } catch (const Failure& failure) {
+      throw Failure(fmt::format("{}; {}", failure.what(), kept()));
+    }
+  };
   const auto step = [&](std::uint32_t samples, const std::string& note) {
     done += samples + kCostOfARender;
     progress.update(done, note);
@@ -124,7 +132,7 @@ StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
   } else {
     std::vector<Image> groups;
     for (std::uint32_t g = 0; g < settings.reference_groups; ++g) {
-      groups.push_back(device.render(make_reference_job(settings, g)).image);
+      groups.push_back(render(make_reference_job(settings, g)).image);
       step(settings.reference_samples, "reference image");
     }
     result.reference = combine_groups(groups);
@@ -139,13 +147,13 @@ StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
       result.records.push_back(*finished);
       ++result.resumed;
       // The same input gives the same bits: an image that was removed comes again, and nothing is timed.
-      if (images && !images->read(run)) images->write(run, device.render(make_job(settings, run)).image);
+      if (images && !images->read(run)) images->write(run, render(make_job(settings, run)).image);
       done += run.samples + kCostOfARender;
       continue;
     }
     if (warm.insert(run.sampler).second)
-      device.render(make_job(settings, {run.sampler, settings.samples.front(), 0}));
-    Measured measured = measure(run, settings, device.render, result.reference);
+      render(make_job(settings, {run.sampler, settings.samples.front(), 0}));
+    Measured measured = measure(run, settings, render, result.reference);
     if (images) images->write(run, measured.image);  // first: a line in runs.jsonl has its image
     log.append(measured.record);
     ++done_runs;
