@@ -35,16 +35,20 @@ TEST_P(DisturbedStudy, EndsWithTheResultsOfAnUndisturbedOne) {
   for (std::uint64_t i = 0; killed < kills || done == 0; ++i) {
     Process study(words + (folder / "disturbed"));
     const bool last = killed >= kills || i > 20u * static_cast<unsigned>(kills);
-    if (auto end = study.wait(last ? 100 : whole * moment(i))) {
-      ASSERT_EQ(end->exit_code, 0) << end->err;
-      expect_equal_results(folder / "disturbed", folder / "straight");
-      std::filesystem::remove_all(folder / "disturbed");
-      ++done;
-    } else if (++killed % 2) {
-      study.end(SIGKILL);
-    } else {
-      expect_stopped(study.end(SIGINT));
+    std::optional<Outcome> end = study.wait(last ? 100 : whole * moment(i));
+    if (!end) {
+      const int signal = killed % 2 ? SIGINT : SIGKILL;
+      end = study.end(signal);
+      if (end->exit_code != 0) {  // else it was done just before
+        ++killed;
+        if (signal == SIGINT) expect_stopped(*end);
+        continue;
+      }
     }
+    ASSERT_EQ(end->exit_code, 0) << end->err;
+    expect_equal_results(folder / "disturbed", folder / "straight");
+    std::filesystem::remove_all(folder / "disturbed");
+    ++done;
   }
   std::printf("%s: %d ends, %d studies done, each as the undisturbed one\n", GetParam().name.c_str(), killed,
               done);

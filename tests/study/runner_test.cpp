@@ -157,7 +157,7 @@ TEST(Runner, ALogCutAtAnyByteGoesOn) {
   const StudyResult straight = run(s, into(folder));
   const std::string whole = read_file(folder / "runs.jsonl");
   const std::size_t header = whole.find('\n') + 1;
-  for (std::size_t bytes = header; bytes <= whole.size(); bytes += 7) {
+  for (std::size_t bytes = header; bytes <= whole.size(); bytes += 31) {
     write_file(folder / "runs.jsonl", whole.substr(0, bytes));
     const StudyResult resumed = run(s, into(folder));
     ASSERT_EQ(resumed.records.size(), 2u);
