@@ -1,6 +1,8 @@
 // The same bytes for any number of threads, the host's and those of the software driver.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/program.h"
 #include "image/image.h"
 
@@ -60,6 +62,35 @@ TEST_F(Threads, Renders) {
 TEST_F(Threads, Points) {
   expect_same_bytes("points ccvt -n 100 --capacity 100 --seed 3", ".txt");
   expect_same_bytes("points fpo -n 100 --seed 3", ".txt");
+}
+
+TEST_F(Threads, TilesAndParts) {
+  expect_same_bytes("tiles make --points 4 --starts 1 --rounds 10 --tilings 3 --moves 200 -q", ".tiles");
+  const std::string points = folder_ / "p.txt";
+  ASSERT_EQ(run("points ccvt -n 64 --capacity 64 --quiet -o " + points).exit_code, 0);
+  expect_same_bytes("partition " + points + " -k 4 --quiet", ".txt");
+}
+
+/// Without what was measured in seconds.
+void drop_times(nlohmann::json& value) {
+  if (value.is_object()) {
+    value.erase("seconds");
+    value.erase("cpu_seconds");
+  }
+  if (!value.is_structured()) return;
+  for (nlohmann::json& inner : value) drop_times(inner);
+}
+
+TEST_F(Threads, Integrals) {
+  expect_same(
+      "integrate --integrands disk,edge-on-disk --estimators random,sobol-owen,ccvt -n 16 --randomisations "
+      "50 --quiet",
+      "", [](const std::string& a, const std::string& b) {
+        auto first = nlohmann::json::parse(contents(a + "/results.json"));
+        auto second = nlohmann::json::parse(contents(b + "/results.json"));
+        drop_times(first), drop_times(second);
+        return first.size() > 2 && first == second;
+      });
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ class Faults : public ::testing::Test {
   /// The layer's log: lanes of each dispatch, and how often each call came.
   struct Log {
     std::vector<std::uint64_t> dispatches;
-    std::map<std::string, int> calls;
+    std::map<std::string, std::int64_t> calls;
   };
   Log take_log() const {
     Log log;
@@ -82,9 +82,9 @@ const std::string kSmall = " --width 24 --height 16";
 TEST_F(Faults, ALostDeviceIsSaidWheneverItIsLost) {
   for (const std::string& options : {kAmbient, kDirect, kIgi}) {
     ASSERT_FALSE(pixels("log=" + (folder_ / "log"), kSmall + options).empty());
-    const int submits = take_log().calls["submit"];
+    const std::int64_t submits = take_log().calls["submit"];
     EXPECT_GE(submits, 4);
-    for (const int number : {submits / 2, submits}) {
+    for (const std::int64_t number : {submits / 2, submits}) {
       const std::string call = number == submits / 2 ? "submit:" : "wait:";
       expect_failure(render(call + std::to_string(number) + "=device-lost", kSmall + options),
                      {"device lost", "try again", "--device", "reference"});

@@ -19,7 +19,10 @@ namespace capcon::faults {
 ///   lane=20000, watchdog=2000000000   nanoseconds that each lane takes, and after which a dispatch loses the
 ///   device;
 ///                            nothing waits for them: they are added to the timestamps
-///   log=PATH                 a line for each dispatch with its lanes, at the end "submit N" and so on
+///   log=PATH                 a line for each dispatch with its lanes; at the end how often each call came,
+///   "submit N" and so on,
+///                            and "longest T", the time of the longest dispatch in timestamps (nanoseconds on
+///                            lavapipe)
 struct Faults {
   struct Call {
     std::uint64_t number = 0;

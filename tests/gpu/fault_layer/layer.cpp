@@ -2,6 +2,7 @@
 // with the program as it is. One instance and one device at a time; calls on them come from any thread.
 #include <vulkan/vk_layer.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <mutex>
@@ -27,11 +28,13 @@ struct State {
   std::uint64_t lanes = 0;                // of the commands recorded last
   std::uint64_t late = 0;                 // nanoseconds that the last submission takes on top
   std::vector<std::uint64_t> dispatches;  // their lanes
+  std::uint64_t longest = 0;              // ticks of one
   ~State() {
     if (faults.log.empty()) return;
     std::ofstream file(faults.log, std::ios::app);
     for (const std::uint64_t n : dispatches) file << n << '\n';
     for (const auto& [what, count] : faults.counts) file << what << ' ' << count << '\n';
+    file << "longest " << longest << '\n';
   }
 };
 
@@ -202,6 +205,9 @@ VKAPI_ATTR VkResult VKAPI_CALL query_results(VkDevice device, VkQueryPool pool, 
   for (std::uint32_t i = 1; i < count; i += 2) {
     auto* ticks = reinterpret_cast<std::uint64_t*>(static_cast<char*>(data) + i * stride);
     *ticks += state().late;
+    state().longest =
+        std::max(state().longest,
+                 *ticks - *reinterpret_cast<std::uint64_t*>(static_cast<char*>(data) + (i - 1) * stride));
   }
   return result;
 }
