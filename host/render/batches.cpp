@@ -9,7 +9,8 @@ namespace {
 
 // A lane may take 60 us before the first dispatch is slow; a slow CPU device takes less than one.
 constexpr std::uint64_t kFirst = 1 << 15;
-constexpr double kGrowth = 4;  // pieces of an image differ in what they cost
+constexpr double kGrowth = 4;   // pieces of an image differ in what they cost
+constexpr double kLongest = 1;  // seconds, if all were as slow as the slowest so far
 
 }  // namespace
 
@@ -42,7 +43,10 @@ void Batches::took(const gpu::Kernel& kernel, std::uint64_t lanes, double second
   const auto next = std::max<std::uint64_t>(static_cast<std::uint64_t>(fitting), layout::kGroupSize);
   // A small dispatch takes longer a lane than a large one: only a slow one says that there were too many.
   const bool slow = seconds > kAim;
-  if (slow || next > size.lanes) size.lanes = std::min(next, most_);
+  if (lanes >= kFirst / 8) size.worst = std::max(size.worst, seconds / static_cast<double>(lanes));
+  const auto longest = static_cast<std::uint64_t>(std::min(kLongest / std::max(size.worst, 1e-12), 1e12));
+  if (slow || next > size.lanes)
+    size.lanes = std::min({next, most_, std::max<std::uint64_t>(longest, layout::kGroupSize)});
   size.slow = size.slow || slow;
 }
 

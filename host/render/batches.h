@@ -33,6 +33,7 @@ class Batches {
   struct Size {
     std::uint64_t lanes;
     bool slow = false;
+    double worst = 0;  ///< seconds a lane
   };
   std::uint64_t most_, fixed_;
   std::map<const gpu::Kernel*, Size> sizes_;

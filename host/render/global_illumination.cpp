@@ -10,8 +10,8 @@
 namespace capcon {
 namespace {
 
-constexpr std::uint32_t kMostLevels = 64;        // surfaces of a chain of compensation rays
-constexpr std::uint32_t kCompensationShare = 4;  // of a batch's lanes: their rays take more room
+constexpr std::uint32_t kMostLevels = 64;              // surfaces of a chain of compensation rays
+constexpr std::uint64_t kCompensationRays = 1u << 17;  // of a batch: they take more room than others
 
 std::uint32_t gather_seed(std::uint32_t seed) {
   return seed ^ 0x67617468u;
@@ -86,7 +86,7 @@ class GlobalIlluminationPass : public GatherPass {
     make_kernels();
     gather_ = &s_.kernel(kGather);
     if (compensates_) {
-      s_.need_paths(0, std::max<std::uint64_t>(s_.most_lanes / kCompensationShare, igi_.gather));
+      s_.need_paths(0, std::max<std::uint64_t>(std::min(s_.most_lanes, kCompensationRays), igi_.gather));
       compensation_ = &s_.kernel(compensation_variant(gather_tables_.id));
       onwards_ = &s_.kernel(of_receivers("compensation"));
       gather_beyond_ = &s_.kernel(of_receivers("gather"));
@@ -153,7 +153,7 @@ class GlobalIlluminationPass : public GatherPass {
 
   /// Rays that a piece may have, so that neither they nor what follows them take long.
   std::uint64_t compensation_lanes() const {
-    std::uint64_t fewest = std::min(batches_.lanes(*compensation_), s_.most_lanes / kCompensationShare);
+    std::uint64_t fewest = std::min({batches_.lanes(*compensation_), s_.most_lanes, kCompensationRays});
     fewest = std::min(fewest, batches_.lanes_onwards(*onwards_));
     for (const gpu::Kernel* kernel : direct_kernels_)
       fewest = std::min(fewest, batches_.lanes_onwards(*kernel));

@@ -127,7 +127,7 @@ void RendererState::upload(const Geometry& geometry) {
   const std::size_t bindable =
       kernels.texel_fetch() ? description.max_texels : description.max_storage_bytes / 16;
   band_pixels = std::min({kBandPixels, std::size_t(film.width) * film.height, bindable / 2});
-  most_lanes = std::min<std::uint64_t>(most_lanes, bindable);
+  most_lanes = std::min<std::uint64_t>(device.is_cpu() ? kCpuBatchLanes : kBatchLanes, bindable);
   sampler_table = gpu::Buffer(device, 16, gpu::Memory::device);
   image_table = gpu::Buffer(device, 16, gpu::Memory::device);
   order = gpu::Buffer(device, 16, gpu::Memory::device);

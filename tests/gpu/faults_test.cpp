@@ -125,7 +125,7 @@ TEST_F(Faults, OutOfMemoryMeansLessAtATime) {
   expect_failure(render("allocate:4+=no-host-memory", kSmall + kIgi),
                  {"has no room", "out of host memory", "smaller"});
   expect_failure(render("heap=4096", kSmall + kDirect), {"has no room", "smaller"});
-  for (const auto& [options, largest] : {std::pair(kAmbient, "200000"), std::pair(kIgi, "400000")}) {
+  for (const auto& [options, largest] : {std::pair(kAmbient, "200000"), std::pair(kIgi, "1700000")}) {
     const std::string words = options + size;
     const std::vector<float> plain = pixels("log=" + (folder_ / "log"), words);
     const Log before = take_log();

@@ -17,7 +17,7 @@ constexpr std::uint64_t kAdaptive = 0;
 void expect_same_bits(const Scene& scene, const Job& job) {
   RendererOptions options = lavapipe();
   options.validate = false;  // many dispatches; others run under it
-  options.batch_lanes = 1 << 19;
+  options.batch_lanes = 1 << 17;
   Renderer renderer(scene, options);
   const std::vector<float> whole = renderer.render(job).image.pixels;
   for (const std::uint64_t lanes :
@@ -121,7 +121,7 @@ TEST_F(BatchSizes, FollowWhatALaneCosts) {
   EXPECT_LT(longest(8e-6, 1), 2.01);
   EXPECT_LT(longest(8e-6, 10), 1.01 * Batches::kAim);
   longest(1e-7, 10);
-  EXPECT_EQ(batches_.lanes(kernel_), kMost);
+  EXPECT_EQ(batches_.lanes(kernel_), 125000u) << "1 s where all is as slow again";
 }
 
 TEST_F(BatchSizes, LittleWorkThatTakesLongALaneShrinksNothing) {
