@@ -151,8 +151,8 @@ struct TreeConstants {
 
 // 128 bytes, the most that every device takes: the fourth words of the vectors carry counters.
 struct PrimaryConstants {
-  TreeConstants tree;  // grid_origin.w: unused; grid_scale.w: unused
-  vec4 eye;            // camera position; w: image width in pixels
+  TreeConstants tree;  // grid_origin.w: unused; grid_scale.w: how far along their directions rays start, 0 for cameras near the scene
+  vec4 eye;            // where the ray through film position (0, 0) starts; w: image width in pixels
   vec4 corner;         // direction through film position (0, 0); w: pixels of this batch
   vec4 across;         // change of direction a pixel to the right; w: the band's first pixel
   vec4 down;           // change of direction a pixel downwards; w: 1 if image samples are jittered

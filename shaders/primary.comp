@@ -40,8 +40,9 @@ void main() {
     film += kFilter != 0u ? filter_offset(bits) : unit_floats(bits) - 0.5;
   }
   Ray ray;
-  ray.origin = push.eye.xyz;
-  ray.direction = normalize(push.corner.xyz + film.x * push.across.xyz + film.y * push.down.xyz);
+  vec3 from_corner = film.x * push.across.xyz + film.y * push.down.xyz;
+  ray.origin = push.eye.xyz + push.tree.grid_scale.w * from_corner;
+  ray.direction = normalize(push.corner.xyz + from_corner);
   ray.t_max = 3.0e38;
   ray.skip = kNoPrimitive;
   Hit hit = closest(ray, push.tree, live);

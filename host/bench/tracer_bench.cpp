@@ -24,13 +24,13 @@ double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-std::vector<DeviceRay> primary_rays(const Scene& scene) {
-  const View view = make_view(scene.camera, scene.film.width, scene.film.height);
+std::vector<DeviceRay> primary_rays(const Scene& scene, const View& view) {
   std::vector<DeviceRay> rays;
   for (int y = 0; y < scene.film.height; ++y) {
     for (int x = 0; x < scene.film.width; ++x) {
-      const glm::dvec3 d = glm::normalize(view.corner + (x + 0.5) * view.across + (y + 0.5) * view.down);
-      rays.push_back({glm::vec3(view.eye), 3e38f, glm::vec3(d)});
+      const glm::dvec3 from_corner = (x + 0.5) * view.across + (y + 0.5) * view.down;
+      rays.push_back({glm::vec3(view.first + view.start * from_corner), 3e38f,
+                      glm::vec3(glm::normalize(view.corner + from_corner))});
     }
   }
   return rays;
@@ -159,7 +159,8 @@ TracerBench bench_tracer(const Scene& whole, const TracerBenchOptions& options,
   const Scene scene = only_triangles(whole, result.left_out);
   Renderer renderer(scene, options.renderer);
   const auto start = std::chrono::steady_clock::now();
-  const Geometry geometry = build_geometry(scene);
+  const Placement& placement = renderer.state().placement;
+  const Geometry geometry = build_geometry(scene, {.placement = placement});
   result.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.triangles = geometry.triangle_count;
   result.bytes_per_triangle = 16.0 *
@@ -172,11 +173,13 @@ TracerBench bench_tracer(const Scene& whole, const TracerBenchOptions& options,
     result.embree_build_seconds = embree->build_seconds();
   }
   Bench bench(renderer.state(), embree.get(), options.repeats);
-  const auto primary = primary_rays(scene);
+  const auto primary = primary_rays(scene, renderer.state().view);
   bench.run("primary", primary, false, result, [&](double f) { on_progress(0.2 * f); });
   RayCaster caster(renderer.state(), primary);
   caster.cast(false);
-  bench.run("occlusion", occlusion_rays(geometry, primary, caster.hits(), options), true, result,
+  TracerBenchOptions placed = options;
+  placed.radius *= placement.scale;
+  bench.run("occlusion", occlusion_rays(geometry, primary, caster.hits(), placed), true, result,
             [&](double f) { on_progress(0.2 + 0.8 * f); });
   result.compile_seconds = renderer.state().kernels.take_compile_seconds();
   return result;

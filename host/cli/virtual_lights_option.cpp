@@ -11,6 +11,7 @@
 #include "reference/primitives.h"
 #include "reference/tree.h"
 #include "render/ray_caster.h"
+#include "render/renderer_state.h"
 #include "study/virtual_light_list.h"
 #include "study/virtual_light_picture.h"
 
@@ -23,8 +24,11 @@ std::vector<bool> seen_on_device(Renderer& renderer, const glm::dvec3& eye,
                                  std::span<const glm::dvec3> points) {
   std::vector<DeviceRay> rays;
   for (const glm::dvec3& p : points) {
+    const Placement& placement = renderer.state().placement;
     const double distance = glm::length(p - eye);
-    rays.push_back({glm::vec3(eye), static_cast<float>(distance * kShort), glm::vec3((p - eye) / distance)});
+    rays.push_back({glm::vec3(placement.to_device(eye)),
+                    static_cast<float>(placement.scale * distance * kShort),
+                    glm::vec3((p - eye) / distance)});
   }
   RayCaster caster(renderer.state(), rays);
   caster.cast(true);

@@ -70,7 +70,7 @@ class AmbientOcclusionPass : Pass {
     push.seed = job_.seed;
     push.count = job_.samples;
     push.band = band_;
-    push.radius = static_cast<float>(std::min(job_.radius, 3e38));
+    push.radius = static_cast<float>(std::min(job_.radius * s_.placement.scale, 3e38));
     const auto lanes = [&] { return batches_.lanes(*occlusion_); };
     for (std::uint32_t from = 0; from < samples; from += push.samples) {
       push.first_sample = first_sample + from;

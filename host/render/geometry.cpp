@@ -28,17 +28,19 @@ bool is_flat(const glm::dmat4& m) {
 
 /// The world's shapes and instances with their primitive ids.
 struct Census {
-  std::vector<Placed> world;  ///< in world space: what is in no object, and with one level everything
+  std::vector<Placed> world;  ///< in the device's space: what is in no object, and with one level everything
   std::vector<std::uint32_t>
       instances;  ///< of those that keep their object's tree: index into scene.instances
   std::vector<std::uint32_t> first_ids;  ///< of their primitives
   std::uint64_t count = 0, quadrics = 0;
 };
 
-Census take_census(const Scene& scene, bool keep_instances) {
+Census take_census(const Scene& scene, bool keep_instances, const Placement& placement) {
   Census census;
+  const glm::dmat4 to_device = placement.matrix();
   const auto place = [&](const Shape& shape, const glm::dmat4& to_world, bool keep) {
-    if (!keep) census.world.push_back({&shape, to_world, static_cast<std::uint32_t>(census.count)});
+    if (!keep)
+      census.world.push_back({&shape, to_device * to_world, static_cast<std::uint32_t>(census.count)});
     census.count += primitive_count(scene, shape);
     if (shape.kind != ShapeKind::mesh) ++census.quadrics;
     if (census.count >= kMaxPrimitives) {
@@ -141,17 +143,18 @@ void append(const GeometryTree& tree, Base base, Geometry& geometry) {
 
 /// The tree of instances, with the trees below it.
 void assemble(const Scene& scene, const Census& census, const std::vector<GeometryTree>& trees,
-              std::uint32_t detail_texels, Geometry& geometry) {
+              const GeometryOptions& options, Geometry& geometry) {
   struct Member {
     std::size_t tree;
     glm::dmat4 to_world;
     std::uint32_t first_id;
   };
+  const glm::dmat4 to_device = options.placement.matrix();
   std::vector<Member> members;
   if (trees.back().bvh.node_count() > 0) members.push_back({trees.size() - 1, glm::dmat4(1), 0});
   for (std::size_t i = 0; i < census.instances.size(); ++i) {
     const Instance& instance = scene.instances[census.instances[i]];
-    members.push_back({instance.object, instance.to_world, census.first_ids[i]});
+    members.push_back({instance.object, to_device * instance.to_world, census.first_ids[i]});
   }
   std::vector<Box> boxes(members.size());
   parallel_for(
@@ -170,7 +173,7 @@ void assemble(const Scene& scene, const Census& census, const std::vector<Geomet
   }
   geometry.bvh.texels.resize(4 * nodes);
   geometry.primitives.resize(3 * slots);
-  geometry.details.resize(detail_texels * slots);
+  geometry.details.resize(options.details.texels() * slots);
   for (std::size_t t = 0; t < trees.size(); ++t) append(trees[t], bases[t], geometry);
   geometry.bvh.stack_entries += deepest + 1;  // one marks where the object's tree ends
 
@@ -190,13 +193,13 @@ void assemble(const Scene& scene, const Census& census, const std::vector<Geomet
 }  // namespace
 
 Geometry build_geometry(const Scene& scene, const GeometryOptions& options) {
-  const Census census = take_census(scene, options.two_level && options.keep_instances);
+  const Census census = take_census(scene, options.two_level && options.keep_instances, options.placement);
   if (census.count == 0)
     throw InputError(scene.name + ": the scene has no shapes, so there is nothing to render");
   Geometry geometry;
   if (options.two_level) {
     const std::vector<GeometryTree> trees = build_trees(scene, census, options, geometry.quadrics);
-    assemble(scene, census, trees, options.details.texels(), geometry);
+    assemble(scene, census, trees, options, geometry);
   } else {
     GeometryTree tree = build_tree(scene, census.world, options, geometry.quadrics);
     geometry.bvh = std::move(tree.bvh);

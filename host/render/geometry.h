@@ -4,6 +4,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "render/placement.h"
 #include "scene/bvh.h"
 #include "scene/scene.h"
 
@@ -48,7 +49,8 @@ struct GeometryOptions {
   bool keep_instances =
       false;  ///< with two levels: whether instances stay instances, or are written out into the world's tree
   DetailOptions details = {};
-  bool cut = true;  ///< primitives where that makes a better tree (wants_best_tree())
+  Placement placement = {};  ///< of the world in the device's space
+  bool cut = true;           ///< primitives where that makes a better tree (wants_best_tree())
 };
 
 /// Instances are written out in world space for one level; vertices are transformed in double and rounded to

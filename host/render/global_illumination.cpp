@@ -43,7 +43,8 @@ class GlobalIlluminationPass : public GatherPass {
       : GatherPass(state, job.direct, first_row, rows, on_progress),
         igi_(job),
         compensates_(job.clamping == Clamping::compensate),
-        limit_(static_cast<float>(job.limit > 0 ? job.limit : state.geometry_limit)) {
+        limit_(static_cast<float>(job.limit > 0 ? job.limit / (state.placement.scale * state.placement.scale)
+                                                : state.geometry_limit)) {
     tells_progress_ = false;
   }
 

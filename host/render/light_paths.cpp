@@ -162,17 +162,18 @@ DeviceVirtualLights trace_light_paths(RendererState& state, const GlobalIllumina
   return lights;
 }
 
-VirtualLights unpack(const DeviceVirtualLights& lights, std::uint32_t default_material) {
+VirtualLights unpack(const DeviceVirtualLights& lights, const Placement& placement,
+                     std::uint32_t default_material) {
   VirtualLights all;
   all.first = lights.first;
   for (std::size_t k = 0; k < lights.path_and_bounce.size(); ++k) {
     const glm::uvec4* t = &lights.texels[kTexels * k];
     VirtualLight light;
-    light.position = floats(t[0]);
+    light.position = placement.to_world(floats(t[0]));
     light.primitive = t[0].w;
     light.normal = floats(t[1]);
     light.material = t[1].w == default_material ? -1 : static_cast<int>(t[1].w);
-    light.flux = floats(t[2]);
+    light.flux = glm::dvec3(floats(t[2])) / (placement.scale * placement.scale);
     light.shading_normal = floats(t[3]);
     light.arriving = floats(t[4]);
     light.uv = {std::bit_cast<float>(t[3].w), std::bit_cast<float>(t[4].w)};

@@ -35,6 +35,7 @@ DeviceVirtualLights trace_light_paths(RendererState& state, const GlobalIllumina
 std::vector<KernelVariant> light_path_kernels(std::uint32_t sampler_id);
 
 /// As plain values.
-VirtualLights unpack(const DeviceVirtualLights& lights, std::uint32_t default_material);
+VirtualLights unpack(const DeviceVirtualLights& lights, const Placement& placement,
+                     std::uint32_t default_material);
 
 }  // namespace capcon

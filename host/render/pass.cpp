@@ -22,7 +22,8 @@ void Pass::primary(const gpu::Kernel& kernel, const SamplerTables& tables, bool 
                    std::uint32_t count, std::uint32_t sample_index) {
   layout::PrimaryConstants push{};
   push.tree = s_.tree;
-  push.eye = with_word(s_.view.eye, static_cast<std::uint32_t>(s_.film.width));
+  push.tree.grid_scale.w = static_cast<float>(s_.view.start);
+  push.eye = with_word(s_.view.first, static_cast<std::uint32_t>(s_.film.width));
   push.across = with_word(s_.view.across, band_);
   push.down = with_word(s_.view.down, jittered ? 1 : 0);
   push.words = words(tables);

@@ -10,7 +10,7 @@
 
 namespace capcon {
 
-/// A ray as the device has it: 32 bytes.
+/// A ray in the device's space (render/placement.h), as 32 bytes.
 struct DeviceRay {
   glm::vec3 origin;
   float t_max = 3e38f;
@@ -19,7 +19,7 @@ struct DeviceRay {
 };
 
 struct DeviceHit {
-  float t;                  ///< distance; meaningless where nothing was met
+  float t;                  ///< distance, in the device's space; meaningless where nothing was met
   std::uint32_t primitive;  ///< id as in Geometry, 0xffffffff: nothing was met
 };
 

@@ -62,7 +62,7 @@ VirtualLights Renderer::virtual_lights(const GlobalIlluminationJob& job) {
   check_job(job);
   if (!state_->features.shading) throw Failure("this renderer was made for ambient occlusion alone");
   Timings timings;
-  return unpack(trace_light_paths(*state_, job, timings), state_->default_material);
+  return unpack(trace_light_paths(*state_, job, timings), state_->placement, state_->default_material);
 }
 
 std::vector<FixedPoint> Renderer::sample_points(const Sampler& sampler, std::uint32_t pixels,

@@ -62,8 +62,11 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
       kernels(context->kernels),
       features(options.keep_everything ? all_features(scene, options.instancing)
                                        : needed_features(scene, first, options.instancing)),
-      film(scene.film),
-      view(make_view(scene.camera, scene.film.width, scene.film.height)) {
+      film(scene.film) {
+  bounds = scene_bounds(scene);
+  placement = place_scene(bounds, glm::dvec3(scene.camera.camera_to_world[3]));
+  view = make_view(scene.camera, film.width, film.height, placement, bounds);
+  bounds = {placement.to_device(bounds.centre), placement.scale * bounds.radius};
   features.shading = features.shading || options.shading;
   fixed_lanes = options.batch_lanes;
   scene_constants[layout::kSpecQuadrics] = features.quadrics ? 1 : 0;
@@ -75,11 +78,10 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
   auto start = Clock::now();
   DetailOptions details;
   if (features.shading) {
-    const ShadingData data = make_shading_data(scene, options.keep_everything);
+    const ShadingData data = make_shading_data(scene, options.keep_everything, placement);
     details = data.details;
     default_material = details.default_material;
-    bounds = scene_bounds(scene);
-    geometry_limit = default_geometry_limit(scene);
+    geometry_limit = default_geometry_limit(scene) / (placement.scale * placement.scale);
     upload_shading(data, options.keep_everything);
     setup.wall["shading"] = seconds_since(start);
     start = Clock::now();
@@ -94,6 +96,7 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
     geometry = build_geometry(scene, {.two_level = features.two_level,
                                       .keep_instances = keep_instances,
                                       .details = details,
+                                      .placement = placement,
                                       .cut = wants_best_tree(scene, keep_instances, first, options.tree)});
   } catch (...) {
     if (compiling.valid()) compiling.wait();

@@ -13,6 +13,7 @@
 #include "render/device_context.h"
 #include "render/dispatch.h"
 #include "render/features.h"
+#include "render/placement.h"
 #include "render/renderer.h"
 #include "render/shading_data.h"
 #include "render/view.h"
@@ -41,7 +42,8 @@ struct RendererState {
   Kernels& kernels;
   Features features;
   Film film;
-  View view;
+  Placement placement;
+  View view;  ///< in the device's space, as all that follows
   layout::TreeConstants tree{};
   Constants scene_constants;
   std::uint64_t triangle_count = 0, quadric_count = 0, instance_count = 0, node_count = 0;
@@ -56,7 +58,7 @@ struct RendererState {
       receiver_sums;
   DeviceLights light_list;             ///< empty without Features::shading
   std::vector<std::string> warnings;   ///< of materials and lights
-  BoundingSphere bounds;               ///< of the scene; with Features::shading
+  BoundingSphere bounds;               ///< of the scene
   double geometry_limit = 1;           ///< default_geometry_limit()
   std::uint32_t default_material = 0;  ///< of shapes without one
   Timings setup;

@@ -14,9 +14,10 @@ bool any_mesh(const Scene& scene, const Has& has) {
 
 }  // namespace
 
-ShadingData make_shading_data(const Scene& scene, bool everything) {
+ShadingData make_shading_data(const Scene& scene, bool everything, const Placement& placement) {
   const Materials materials = read_materials(scene);
-  const Lights lights = read_lights(scene);
+  Lights lights = read_lights(scene);
+  place_lights(lights, placement);
   ShadingData data{pack_materials(scene, materials), pack_lights(scene, lights), {}, materials.warnings};
   data.warnings.insert(data.warnings.end(), lights.warnings.begin(), lights.warnings.end());
   data.details.wanted = true;

@@ -19,6 +19,6 @@ struct ShadingData {
 
 /// Reads materials and lights; a scene read with ReadOptions::images. `everything`: normals and uvs even
 /// where nothing needs them. InputError with its place for values that make no sense.
-ShadingData make_shading_data(const Scene& scene, bool everything);
+ShadingData make_shading_data(const Scene& scene, bool everything, const Placement& placement);
 
 }  // namespace capcon

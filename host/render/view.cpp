@@ -1,9 +1,15 @@
 #include "render/view.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace capcon {
+namespace {
+
+constexpr double kFar = 16;  // radii of the scene from which on rays start before it
+
+}  // namespace
 
 View make_view(const Camera& camera, int width, int height) {
   const double aspect =
@@ -24,6 +30,23 @@ View make_view(const Camera& camera, int width, int height) {
   view.corner = direction(x_min, y_max);
   view.across = (direction(x_max, y_max) - view.corner) / static_cast<double>(width);
   view.down = (direction(x_min, y_min) - view.corner) / static_cast<double>(height);
+  view.first = view.eye;
+  return view;
+}
+
+View make_view(const Camera& camera, int width, int height, const Placement& placement,
+               const BoundingSphere& bounds) {
+  Camera placed = camera;
+  placed.camera_to_world = placement.matrix() * camera.camera_to_world;
+  View view = make_view(placed, width, height);
+  const glm::dvec3 forward(placed.camera_to_world[2]);  // as long as directions are deep
+  const double radius = placement.scale * bounds.radius;
+  const double depth =
+      glm::dot(placement.to_device(bounds.centre) - view.eye, forward) / glm::length(forward);
+  if (depth > kFar * radius) {
+    view.start = (depth - 2 * radius) / glm::length(forward);
+    view.first = view.eye + view.start * view.corner;
+  }
   return view;
 }
 

@@ -81,6 +81,8 @@ TEST(TwoLevels, MeetWhatOneLevelMeets) {
     rays.push_back({from, i % 2 ? 3e38f : 2.5f, glm::normalize(to - from)});
   }
   Renderer flat(scene, options("flat")), two(scene, options("two-level"));
+  for (DeviceRay& ray : rays) ray.origin = glm::vec3(flat.state().placement.to_device(ray.origin));
+  ASSERT_EQ(flat.state().placement.scale, 1);
   ASSERT_EQ(flat.state().instance_count, 0u);
   ASSERT_GT(two.state().instance_count, 55u);
   EXPECT_LT(two.state().primitives.bytes(), flat.state().primitives.bytes() / 4);
