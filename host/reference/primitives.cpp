@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "reference/round_shapes.h"
+#include "shading/scene_bounds.h"
 
 namespace capcon::reference {
 namespace {
@@ -50,6 +51,8 @@ void Box::grow(const Box& other) {
 }
 
 Primitives::Primitives(const Scene& scene) {
+  const BoundingSphere bounds = scene_bounds(scene);
+  rounded_ = glm::length(bounds.centre) <= 2 * bounds.radius;
   for (const Shape& shape : scene.shapes) add(scene, shape, nullptr);
   for (const Instance& instance : scene.instances) {
     for (const Shape& shape : scene.objects.at(instance.object).shapes) add(scene, shape, &instance);
@@ -74,17 +77,19 @@ void Primitives::add(const Scene& scene, const Shape& shape, const Instance* ins
   const TriangleMesh& mesh = scene.meshes.at(shape.mesh);
   if (mesh.triangles.empty()) return;
   mesh_placements_.push_back({&shape, instance, static_cast<std::uint32_t>(triangles_.size())});
-  std::vector<glm::vec3> world;
+  std::vector<dvec3> world;
   world.reserve(mesh.positions.size());
-  for (const glm::vec3& p : mesh.positions) world.emplace_back(transform_point(to_world, dvec3(p)));
+  for (const glm::vec3& p : mesh.positions) {
+    const dvec3 at = transform_point(to_world, dvec3(p));
+    world.push_back(rounded_ ? dvec3(glm::vec3(at)) : at);
+  }
   for (const glm::uvec3& t : mesh.triangles) triangles_.push_back({{world[t.x], world[t.y], world[t.z]}});
 }
 
 Box Primitives::bounds(std::uint32_t primitive) const {
   if (primitive < triangles_.size()) {
     const Triangle& t = triangles_[primitive];
-    return {dvec3(glm::min(glm::min(t.p[0], t.p[1]), t.p[2])),
-            dvec3(glm::max(glm::max(t.p[0], t.p[1]), t.p[2]))};
+    return {glm::min(glm::min(t.p[0], t.p[1]), t.p[2]), glm::max(glm::max(t.p[0], t.p[1]), t.p[2])};
   }
   // The image of a sphere reaches radius * |row| along an axis; a disk is the same without its third column.
   const Round& r = round_[primitive - triangles_.size()];
@@ -107,13 +112,13 @@ double Primitives::intersect(std::uint32_t primitive, const Ray& ray, double t_m
                                        : intersect_disk(local, r.height, r.inner_radius, r.radius, t_max);
   }
   const Triangle& t = triangles_[primitive];
-  const dvec3 a = dvec3(t.p[0]) - ray.origin;
-  const dvec3 b = dvec3(t.p[1]) - ray.origin;
-  const dvec3 c = dvec3(t.p[2]) - ray.origin;
+  const dvec3 a = t.p[0] - ray.origin;
+  const dvec3 b = t.p[1] - ray.origin;
+  const dvec3 c = t.p[2] - ray.origin;
   const dvec3 w = edge_areas(ray, a, b, c);
   if ((w.x < 0 || w.y < 0 || w.z < 0) && (w.x > 0 || w.y > 0 || w.z > 0)) return kMiss;
-  const dvec3 p0(t.p[0]);
-  const dvec3 normal = cross(dvec3(t.p[1]) - p0, dvec3(t.p[2]) - p0);  // of differences without rounding
+  const dvec3 p0 = t.p[0];
+  const dvec3 normal = cross(t.p[1] - p0, t.p[2] - p0);  // of differences without rounding
   const double facing = dot(normal, ray.direction);
   if (facing == 0 || w.x + w.y + w.z == 0) return kMiss;  // seen edge on, or without area
   const double distance = dot(normal, a) / facing;

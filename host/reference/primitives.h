@@ -68,9 +68,8 @@ class Primitives {
   const std::vector<Placement>& rounds() const { return round_placements_; }
 
  private:
-  /// Vertices are rounded to float once, as the device side rounds them: both trace the same triangles.
   struct Triangle {
-    glm::vec3 p[3];
+    glm::dvec3 p[3];
   };
   struct Round {
     ShapeKind kind;
@@ -81,6 +80,10 @@ class Primitives {
     glm::dmat4 to_object;
   };
   void add(const Scene& scene, const Shape& shape, const Instance* instance);
+
+  /// Vertices are rounded to float once where the device side does the same with world coordinates, so that
+  /// both trace the same triangles; a scene far from the origin is not, for there its floats would be coarse.
+  bool rounded_;
 
   std::vector<Triangle> triangles_;
   std::vector<Round> round_;
