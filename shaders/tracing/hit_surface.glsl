@@ -54,7 +54,9 @@ HitSurface surface_at(Ray ray, Hit hit, bool live) {
   vec3 p2 = uintBitsToFloat(FETCH(primitive_texels, slot * 3u + 2u).xyz);
   vec3 q0 = hit.weights.x * p0, q1 = hit.weights.y * p1, q2 = hit.weights.z * p2;
   vec3 position = q0 + q1 + q2;
-  vec3 error = 7.0 * 6.0e-8 * (abs(q0) + abs(q1) + abs(q2));  // gamma(7), Pharr et al. 2016, section 3.9
+  // gamma(7), Pharr et al. 2016, section 3.9, and the rounding of a distance to what lies in the triangle's plane.
+  vec3 error = 7.0 * 6.0e-8 * (abs(q0) + abs(q1) + abs(q2));
+  error += 2.4e-7 * max(max(abs(p0 - position), abs(p1 - position)), abs(p2 - position));
   vec3 normal = normalize(cross(p1 - p0, p2 - p0));
   if (kHasQuadrics != 0u && (w0.w & kQuadricBit) != 0u) {
     uint q = w0.w & ~kQuadricBit;

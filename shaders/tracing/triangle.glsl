@@ -41,6 +41,8 @@ vec4 meet_triangle(Ray ray, RayFrame f, vec3 p0, vec3 p1, vec3 p2) {
   float cz = dot(c, ray.direction);
   float scale = 1.0 / sum;
   float t = (wa * az + wb * bz + wc * cz) * scale;
-  bool hit = (low >= 0.0 || high <= 0.0) && sum != 0.0;
+  // A distance within its own rounding is none: a ray that starts in the triangle's plane, where another one lies, leaves it.
+  float rounding = 1.5e-7 * (abs(az) + abs(bz) + abs(cz));
+  bool hit = (low >= 0.0 || high <= 0.0) && sum != 0.0 && t > rounding;
   return vec4(hit ? t : -1.0, vec3(wa, wb, wc) * scale);
 }
