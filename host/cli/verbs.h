@@ -17,5 +17,6 @@ void add_bench_verb(CLI::App& app);
 void add_info_verb(CLI::App& app);
 void add_study_verb(CLI::App& app);
 void add_integrate_verb(CLI::App& app);
+void add_stability_verb(CLI::App& app);
 
 }  // namespace capcon::cli
