@@ -13,8 +13,9 @@ namespace {
 /// 1 GiB of address space, 10 seconds of wall time.
 const char* const kLimits = "ulimit -v 1048576; timeout 10 env CAPCON_THREADS=2";
 
-void expect_refused(const std::string& words, const std::vector<std::string>& expected) {
-  const Outcome outcome = run(words, kLimits);
+void expect_refused(const std::string& words, const std::vector<std::string>& expected,
+                    const std::string& environment = "") {
+  const Outcome outcome = run(words, kLimits + environment);
   EXPECT_EQ(outcome.exit_code, 2) << words << "\n" << outcome.err;
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
@@ -144,9 +145,37 @@ TEST(HostileFiles, TilesAndPoints) {
       "ensembles show " + folder.write("e", head + bytes_of<std::uint32_t>({1u << 22, 2048, 2048, 1u << 22}) +
                                                 std::string(24, '\0')),
       {"/e: ", "cut short"});
-  expect_refused(
-      "measure " + folder.write("p.bin", bytes_of({0x214B5455u, 4u, most, most, 2u}) + std::string(16, '\0')),
-      {"p.bin: ", "4294967295"});
+  expect_refused("points import " + folder.write("p.bin", bytes_of({0x214B5455u, 4u, most, most, 2u}) +
+                                                              std::string(16, '\0')),
+                 {"p.bin: ", "4294967295"});
+}
+
+/// FNV-1a, 64 bits.
+std::uint64_t checksum(const std::string& bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
+TEST(HostileFiles, PartsOfTiles) {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "tiles");
+  std::filesystem::copy_file(std::string(CAPCON_SOURCE_DIR) + "/tiles/c2n16.tiles",
+                             folder / "tiles/c2n16.tiles");
+  const std::string scene =
+      folder.write("s.pbrt", "WorldBegin\nLightSource \"point\"\nTranslate 0 0 3\nShape \"sphere\"\n");
+  const std::uint32_t most = 0xffffffff;
+  for (const std::string& splits :
+       {bytes_of<std::uint32_t>({most}), bytes_of<std::uint32_t>({1, 16, 2, most, most, most}),
+        bytes_of<std::uint32_t>({1, most, most, 0, 0, 1}),
+        bytes_of<std::uint32_t>({1, 16, 2, 4096, 256, 1})}) {
+    std::string parts = "CAPPARTS" + bytes_of<std::uint32_t>({1, 0, 0}) + splits;
+    folder.write("tiles/c2n16.parts", parts + bytes_of({checksum(parts)}));
+    expect_refused("render " + scene +
+                       " --integrator direct --split 2x8 --sampler capcon --device reference --quiet -o "
+                       "/tmp/capcon-never.exr",
+                   {"c2n16.parts: "}, " CAPCON_DATA=" + (folder / ""));
+  }
 }
 
 TEST(HostileFiles, RunsOfAStudy) {
