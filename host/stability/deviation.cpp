@@ -21,15 +21,17 @@ Deviation deviation(const Image& image, const Image& truth, double tolerance) {
   double difference = 0;
   for (std::size_t p = 0; p < result.pixels; ++p) {
     double worst = 0;
+    bool finite = true;
     for (std::size_t c = 0; c < channels; ++c) {
       const double a = image.pixels[p * channels + c], b = truth.pixels[p * channels + c];
       const double off = std::abs(a - b);
       const double size = std::max(std::abs(b), mean);
-      const double relative = off == 0 ? 0 : off / size;  // NaN and infinity stay what they are
-      worst = relative <= worst ? worst : relative;
+      finite = finite && std::isfinite(a);
+      worst =
+          std::max(worst, off == 0 ? 0 : off / size);  // infinite where something is seen of a black scene
       if (std::isfinite(a)) difference += a - b;
     }
-    if (!std::isfinite(worst)) {
+    if (!finite) {
       ++result.non_finite;
       ++result.beyond;
       continue;

@@ -17,21 +17,22 @@ struct KnownPoint {
   double value;
 };
 
-/// Beside an endless wall of height 1 at distance 1: 1 - (1 - cos 45 degrees) / 2 of the hemisphere's cosine
-/// is open. Its length of 2e5 takes less than 1e-9 from that.
+/// Beside a wall of height 1 and length 2 b at distance 1, twice the form factor of a perpendicular rectangle
+/// from a point below its corner is hidden: (atan(b) - atan(b / sqrt(2)) / sqrt(2)) / pi (Howell's catalogue,
+/// B-4).
 KnownPoint beside_a_wall(int width, int height) {
-  const double cosine = std::sqrt(0.5);
+  const double half_length = 8, root = std::sqrt(0.5);
   return {"ao-sums", "occlusion beside a wall",
           camera({-.5, -.8, .9}, {0, 0, 0}, 1e-7, {}, {0, 0, 1}, width, height) +
               world(matte(.5) + parallelogram({-8, -8, 0}, {16, 0, 0}, {0, 16, 0}) +
-                    parallelogram({1, -1e5, 0}, {0, 2e5, 0}, {0, 0, 1})),
+                    parallelogram({1, -half_length, 0}, {0, 2 * half_length, 0}, {0, 0, 1})),
           [](std::uint32_t samples) {
             AmbientOcclusionJob job;
             job.sampler = "random";
             job.samples = samples;
             return job;
           },
-          1 - (1 - cosine) / 2};
+          1 - (std::atan(half_length) - root * std::atan(root * half_length)) / M_PI};
 }
 
 /// Under a disk of radius 1 at height 2: albedo L R^2 / (R^2 + h^2).

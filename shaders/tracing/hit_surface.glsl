@@ -54,9 +54,7 @@ HitSurface surface_at(Ray ray, Hit hit, bool live) {
   vec3 p2 = uintBitsToFloat(FETCH(primitive_texels, slot * 3u + 2u).xyz);
   vec3 q0 = hit.weights.x * p0, q1 = hit.weights.y * p1, q2 = hit.weights.z * p2;
   vec3 position = q0 + q1 + q2;
-  // gamma(7), Pharr et al. 2016, section 3.9, and the rounding of a distance to what lies in the triangle's plane.
-  vec3 error = 7.0 * 6.0e-8 * (abs(q0) + abs(q1) + abs(q2));
-  error += 2.4e-7 * max(max(abs(p0 - position), abs(p1 - position)), abs(p2 - position));
+  vec3 error = 7.0 * 6.0e-8 * (abs(q0) + abs(q1) + abs(q2));  // gamma(7), Pharr et al. 2016, section 3.9
   vec3 normal = normalize(cross(p1 - p0, p2 - p0));
   if (kHasQuadrics != 0u && (w0.w & kQuadricBit) != 0u) {
     uint q = w0.w & ~kQuadricBit;
@@ -66,7 +64,8 @@ HitSurface surface_at(Ray ray, Hit hit, bool live) {
     position = quadric_point(q, 3u, o);
     vec3 n = disk ? vec3(0.0, 0.0, 1.0) : o;
     normal = normalize(quadric_row(q, 0u).xyz * n.x + quadric_row(q, 1u).xyz * n.y + quadric_row(q, 2u).xyz * n.z);
-    error = 1.0e-6 * (abs(position) + abs(quadric_row(q, 3u).www));
+    vec3 middle = vec3(quadric_row(q, 3u).w, quadric_row(q, 4u).w, quadric_row(q, 5u).w);
+    error = 1.0e-6 * (abs(position - middle) + abs(middle));
   }
   if (kInstances != 0u) to_world(hit.instance, position, normal, error);
   HitSurface s;
