@@ -84,7 +84,8 @@ TEST_F(Faults, ALostDeviceIsSaidWheneverItIsLost) {
     ASSERT_FALSE(pixels("log=" + (folder_ / "log"), kSmall + options).empty());
     const std::int64_t submits = take_log().calls["submit"];
     EXPECT_GE(submits, 4);
-    for (const std::int64_t number : {submits / 2, submits}) {
+    // Not the last: batches follow the device's clock, and another run may have a few less.
+    for (const std::int64_t number : {submits / 2, 2 * submits / 3}) {
       const std::string call = number == submits / 2 ? "submit:" : "wait:";
       expect_failure(render(call + std::to_string(number) + "=device-lost", kSmall + options),
                      {"device lost", "try again", "--device", "reference"});
