@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace capcon::stability {
@@ -21,6 +22,8 @@ struct Check {
   std::string measured;      ///< the figure in words, where the columns above do not say it all
   std::string bound;         ///< what had to hold
   std::string reason;        ///< why that bound
+  std::vector<std::pair<double, double>> curve =
+      {};  ///< (samples a pixel, RMSE), where error falls with samples
   bool passed = false;
   double seconds = 0;
   std::string command;  ///< renders it again; empty where there is no single one

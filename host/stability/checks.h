@@ -20,6 +20,9 @@ std::vector<Task> bit_tasks(const Workshop& workshop);
 std::vector<Task> leak_tasks(const Workshop& workshop, std::uint64_t rays);
 /// Up to 2^most samples a pixel against closed forms: the error goes on falling as 1 / sqrt(n).
 std::vector<Task> sum_tasks(const Workshop& workshop, int most);
+/// Capacity-constrained sets of few points, capacities and densities that are hard: exact capacities, and an
+/// optimum of swaps.
+std::vector<Task> point_tasks();
 /// How far images move when every number of the scene moves by one float ulp.
 std::vector<Task> condition_tasks(const Workshop& workshop);
 /// Where floats stop to be enough: ladders of ever more extreme scenes, and the rung from which on pixels

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/file.h"
+#include "study/chart.h"
 #include "study/format.h"
 #include "study/html.h"
 #include "study/report.h"
@@ -15,6 +17,32 @@ namespace {
 
 std::string cell(std::uint64_t count) {
   return count == 0 ? "0" : grouped(count);
+}
+
+/// RMSE against samples, with 1 / sqrt(n) through the first point, dashed.
+std::string chart_of(const std::string& group, const std::vector<Check>& checks) {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  Chart chart;
+  chart.id = "sums";
+  chart.title = "RMSE against samples a pixel";
+  chart.description = "Error of sums of up to 2^24 samples a pixel; dashed: 1 / sqrt(n).";
+  chart.x_label = "samples a pixel";
+  chart.y_label = "RMSE";
+  for (const Check& c : checks) {
+    if (c.group != group || c.curve.empty()) continue;
+    ChartLine line;
+    line.name = c.name;
+    line.style = static_cast<int>(chart.lines.size());
+    const auto point = [&](double x, double y) {
+      return ChartPoint{{x, unknown, unknown}, {y, unknown, unknown}, true, {}};
+    };
+    for (const auto& [n, rmse] : c.curve) {
+      line.points.push_back(point(n, rmse));
+      line.companion.push_back(point(n, c.curve.front().second * std::sqrt(c.curve.front().first / n)));
+    }
+    chart.lines.push_back(line);
+  }
+  return chart.lines.empty() ? "" : "<figure>" + svg_chart(chart) + "</figure>";
 }
 
 std::string table_of(const std::string& group, const std::vector<Check>& checks) {
@@ -27,7 +55,7 @@ std::string table_of(const std::string& group, const std::vector<Check>& checks)
                escape(c.measured), escape(c.bound), escape(c.reason), fmt::format("{:.1f}", c.seconds),
                c.passed ? "ok" : "<strong>failed</strong>"});
   }
-  return "<section>" + table.str() + "</section>\n";
+  return "<section>" + table.str() + chart_of(group, checks) + "</section>\n";
 }
 
 }  // namespace
@@ -41,7 +69,8 @@ std::string stability_page(const std::vector<Check>& checks, const std::string& 
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width,initial-scale=1\"><title>Numerical "
       "stability</title><style>{}\nmain{{max-width:86rem}}"
-      "td,th{{text-align:left;vertical-align:top}}td{{font-size:.82rem}}</style></"
+      "td,th{{text-align:left!important;vertical-align:top;white-space:normal!important}}figure{{max-width:"
+      "38rem}}td{{font-size:.82rem}}</style></"
       "head><body><main>\n<h1>Numerical stability</h1>\n"
       "<p><strong>{} of {} checks passed</strong> in {}. Each image is rendered on the device in float and "
       "by the reference in "

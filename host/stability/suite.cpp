@@ -28,6 +28,7 @@ const std::set<std::string> kBrief = {"direct-scaled-1e-06",
                                       "ao-bits",
                                       "watertight",
                                       "ao-sums",
+                                      "points-contrast-1e12",
                                       "direct-one-ulp"};
 
 void append(std::vector<Task>& tasks, const std::vector<ImageCase>& cases, const Workshop& workshop) {
@@ -48,6 +49,7 @@ std::vector<Task> all_tasks(const SuiteOptions& options) {
   append(tasks, integrand_cases(), workshop);
   append(tasks, virtual_light_cases(), workshop);
   append(tasks, sum_tasks(workshop, options.brief ? 12 : 24));
+  append(tasks, point_tasks());
   append(tasks, condition_tasks(workshop));
   append(tasks, limit_tasks(workshop));
   if (options.brief && options.only.empty())

@@ -82,6 +82,7 @@ Check run(const KnownPoint& known, const Workshop& workshop, int most) {
       squares += (v - known.value) * (v - known.value);
     }
     last = std::sqrt(squares / static_cast<double>(pixels));
+    check.curve.emplace_back(samples, last);
     scaled.push_back(last * std::sqrt(static_cast<double>(samples)));
   }
   double log_mean = 0;

@@ -14,13 +14,13 @@ TEST(Stability, TheShortFormPasses) {
   ASSERT_EQ(o.exit_code, 0) << o.err << o.out;
   const auto report = nlohmann::json::parse(o.out);
   EXPECT_TRUE(report.at("passed").get<bool>());
-  EXPECT_EQ(report.at("checks").size(), 16u);
+  EXPECT_EQ(report.at("checks").size(), 17u);
   for (const auto& check : report.at("checks")) {
     EXPECT_GT(check.at("values").get<int>(), 0) << check;
     EXPECT_NE(check.at("bound"), "") << check;
     EXPECT_NE(check.at("reason"), "") << check;
   }
-  EXPECT_NE(contents(folder / "out/stability.html").find("16 of 16 checks passed"), std::string::npos);
+  EXPECT_NE(contents(folder / "out/stability.html").find("17 of 17 checks passed"), std::string::npos);
   EXPECT_NE(contents(folder / "out/scenes/needles.pbrt").find("WorldBegin"), std::string::npos);
 }
 
