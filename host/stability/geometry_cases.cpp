@@ -97,11 +97,11 @@ std::vector<ImageCase> geometry_cases() {
   cases.push_back(
       occlusion_case("slivers", "a floor of triangles 4 long and 4e-8 wide",
                      room_camera() + world(room() + within("Translate 0 0 1e-4\n" + sliver_floor())), 1.5,
-                     0.01, 1e-3, edges));
+                     0.005, 1e-3, edges));
   cases.push_back(occlusion_case("needles", "200 needles of aspect 1e8",
-                                 room_camera() + world(room() + needles()), 1.5, 0.01, 1e-3, edges));
+                                 room_camera() + world(room() + needles()), 1.5, 0.005, 1e-3, edges));
   cases.push_back(occlusion_case("useless", "points, lines and duplicates among the triangles",
-                                 room_camera() + world(room() + useless()), 1.5, 0.01, 1e-3, edges));
+                                 room_camera() + world(room() + useless()), 1.5, 0.005, 1e-3, edges));
   cases.push_back(occlusion_case("interpenetrating", "coplanar triangles, boxes through boxes",
                                  room_camera() + world(room() + interpenetrating()), 1.5, 0.02, 1e-3,
                                  edges + "; where surfaces cut each other it is any ray"));
@@ -124,7 +124,7 @@ std::vector<ImageCase> geometry_cases() {
                    .what = "direct light on the floor of slivers",
                    .scene = room_camera() + world(room() + within("Translate 0 0 1e-4\n" + sliver_floor())),
                    .job = direct(),
-                   .bound = {.tolerance = 1e-4, .share = 0.01, .bias = 1e-3, .reason = edges}});
+                   .bound = {.tolerance = 1e-4, .share = 0.002, .bias = 3e-4, .reason = edges}});
   return cases;
 }
 

@@ -25,8 +25,8 @@ void add_occlusion(std::vector<ImageCase>& cases) {
   add("tiny", "occlusion radius 1e-9, below the spacing of floats", 1e-9, 0.005,
       "nothing is so near: every ray is open but those that start in an edge");
   add("ulp", "occlusion radius 2.4e-7, the spacing of floats", 2.4e-7, 0.005, "as above");
-  add("large", "occlusion radius 1e30, larger than the scene", 1e30, 0.01, kEdges);
-  add("infinite", "infinite occlusion radius", std::numeric_limits<double>::infinity(), 0.01, kEdges);
+  add("large", "occlusion radius 1e30, larger than the scene", 1e30, 0.002, kEdges);
+  add("infinite", "infinite occlusion radius", std::numeric_limits<double>::infinity(), 0.002, kEdges);
 }
 
 std::string sphere(double radius, double x, double y, double z) {
@@ -44,20 +44,20 @@ void add_lights(std::vector<ImageCase>& cases) {
                        const ImageBound& bound, const std::string& material = matte(0.5)) {
     cases.push_back(case_of(name, what, stage_camera() + world(stage(material) + lights), direct(), bound));
   };
-  const ImageBound usual = {1e-4, 0.01, 1e-3, kEdges};
+  const ImageBound usual = {1e-4, 0.002, 3e-4, kEdges};
   const std::string coat = "Material \"conductor\" \"float roughness\" .05\n";
   add("disk-light-1e-6", "a disk light of radius 1e-6", lamp(disk(1e-6, 2.2), 1e12), usual);
   add("sphere-light-1e-6", "a sphere light of radius 1e-6 on a glossy floor",
-      lamp(sphere(1e-6, .2, .1, 2.2), 1e12), {1e-4, 0.02, 2e-3, kEdges}, coat);
+      lamp(sphere(1e-6, .2, .1, 2.2), 1e12), {1e-4, 0.002, 3e-4, kEdges}, coat);
   add("sphere-light-1e-15", "a sphere light of radius 1e-15: densities of 1e30, weights of BSDF samples 0",
       lamp(sphere(1e-15, .2, .1, 2.2), 1e30), usual, coat);
   add("sphere-light-1e6", "everything within a sphere light of radius 1e6",
       within("ReverseOrientation\n" + lamp(sphere(1e6, 0, 0, 0))), usual);
   add("disk-light-1e6", "a disk light of radius 1e6 above the floor", lamp(disk(1e6, 30)), usual);
   add("light-touches", "a sphere light that touches the floor", lamp(sphere(.5, .9, .2, .5)),
-      {1e-3, 0.02, 1e-3, "at the touching point distances are as small as the rounding of the position"});
+      {1e-3, 0.002, 3e-4, "at the touching point distances are as small as the rounding of the position"});
   add("light-encloses", "the sphere within a sphere light of twice its size", lamp(sphere(.7, -.5, .3, .45)),
-      {1e-3, 0.02, 1e-3, "where the light cuts the floor distances are as small as rounding"});
+      {1e-3, 0.002, 3e-4, "where the light cuts the floor distances are as small as rounding"});
   add("radiance-1e-20", "radiance 1e-20", lamp(disk(.5, 2.2), 1e-20), usual);
   add("radiance-1e30", "radiance 1e30", lamp(disk(.5, 2.2), 1e30), usual);
   add("radiances-together", "lights of radiance 1e-20 and 1e30",
@@ -78,7 +78,7 @@ void add_environments(std::vector<ImageCase>& cases) {
         name, what,
         stage_camera() +
             world("LightSource \"infinite\" \"string filename\" \"" + name + ".exr\"\n" + more + stage()),
-        direct(), {2e-4, 0.02, 2e-3, kEdges + "; the map's cells are told apart by floats"});
+        direct(), {2e-4, 0.002, 3e-4, kEdges + "; the map's cells are told apart by floats"});
     c.images[name + ".exr"] = image;
     cases.push_back(std::move(c));
   };
@@ -109,20 +109,20 @@ void add_materials(std::vector<ImageCase>& cases) {
     add(fmt::format("conductor-roughness-{}", roughness),
         fmt::format("a conductor of roughness {}", roughness),
         fmt::format("Material \"conductor\" \"float roughness\" {}\n", roughness),
-        {1e-3, 0.02, 2e-3, "a lobe as narrow as alpha magnifies the rounding of directions by 1 / alpha"});
+        {1e-3, 0.002, 3e-4, "a lobe as narrow as alpha magnifies the rounding of directions by 1 / alpha"});
     add(fmt::format("plastic-roughness-{}", roughness), fmt::format("plastic of roughness {}", roughness),
         fmt::format("Material \"coateddiffuse\" \"float roughness\" {}\n", roughness),
-        {1e-3, 0.02, 2e-3, "as above"});
+        {1e-3, 0.002, 3e-4, "as above"});
   }
   cases.push_back(case_of("direct-grazing", "a glossy floor seen at 1e-4 radians",
                           camera({0, -4, 4e-4}, {0, 0, 0}, 1) +
                               world(stage("Material \"conductor\" \"float roughness\" .1\n") + lights),
                           direct(),
-                          {1e-3, 0.03, 5e-3, "the hit moves by rounding / sin(angle) along the floor"}));
+                          {1e-3, 0.005, 1e-3, "the hit moves by rounding / sin(angle) along the floor"}));
   ImageCase measured = case_of(
       "measured-holes", "a measured table with zeros, negatives, holes and values of 1e6",
       stage_camera() + world(stage("Material \"measured\" \"string filename\" \"holes.binary\"\n") + lights),
-      direct(), {1e-3, 0.02, 2e-3, "cells of the table are told apart by floats"});
+      direct(), {1e-3, 0.002, 3e-4, "cells of the table are told apart by floats"});
   measured.files["holes.binary"] = merl();
   cases.push_back(std::move(measured));
 }

@@ -26,11 +26,11 @@ void add(std::vector<ImageCase>& cases, const std::string& name, const std::stri
                      .what = what,
                      .scene = scene,
                      .job = job,
-                     .bound = {.tolerance = tolerance, .share = share, .bias = 1e-3, .reason = kReason}});
+                     .bound = {.tolerance = tolerance, .share = share, .bias = 1e-4, .reason = kReason}});
   };
-  add_job("ao", occlusion(1.5 * place.scale), 1e-4, 0.01);
-  add_job("direct", direct(), 1e-4, 0.01);
-  add_job("igi", igi(), 1e-4, 0.02);
+  add_job("ao", occlusion(1.5 * place.scale), 1e-4, 0.001);
+  add_job("direct", direct(), 1e-4, 0.001);
+  add_job("igi", igi(), 1e-4, 0.003);
 }
 
 }  // namespace
@@ -58,8 +58,8 @@ std::vector<ImageCase> place_cases() {
                      .scene = camera(at + distance * kSize * towards, at, fov) + world(room()),
                      .job = occlusion(1.5),
                      .bound = {.tolerance = 1e-4,
-                               .share = 0.01,
-                               .bias = 1e-3,
+                               .share = 0.001,
+                               .bias = 1e-4,
                                .reason = "camera rays start on a plane before the scene, placed in double"}});
   }
   return cases;

@@ -46,12 +46,12 @@ std::vector<ImageCase> virtual_light_cases() {
          .what = what,
          .scene = scene,
          .job = job,
-         .bound = {1e-3, 0.02, 2e-3, "near a VPL 1 / distance^2 magnifies the rounding of positions"}});
+         .bound = {1e-3, 0.002, 3e-4, "near a VPL 1 / distance^2 magnifies the rounding of positions"}});
   };
   add("geometry-unlimited", "the room without any limit of 1 / distance^2", Clamping::none, 0);
   add("limit-1e-20", "a limit of 1e-20: all by compensation", Clamping::compensate, 1e-20);
   add("limit-1e20", "a limit of 1e20: none by compensation", Clamping::compensate, 1e20);
-  const ImageBound close = {1e-3, 0.03, 2e-3, "the device's unit of length is the scene's"};
+  const ImageBound close = {1e-3, 0.002, 3e-4, "the device's unit of length is the scene's"};
   cases.push_back(corner_case("corner-1e-6", "VPLs 1e-6 from the corner of the world that the camera sees",
                               {0, 0, 0}, 1e-6, Clamping::none, 0, close));
   cases.push_back(corner_case("corner-1e-6-compensated", "the same with compensation at a limit of 1e10",

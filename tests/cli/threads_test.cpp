@@ -26,7 +26,7 @@ class Threads : public ::testing::Test {
   template <class Same>
   void expect_same(const std::string& words, const std::string& suffix, const Same& same) const {
     std::string first;
-    for (const std::string& threads : {"1", "2", "4"}) {
+    for (const std::string threads : {"1", "2", "4"}) {
       const std::string output = folder_ / (threads + suffix);
       // lavapipe's 0 is the calling thread alone.
       const Outcome outcome =
