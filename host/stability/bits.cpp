@@ -17,12 +17,8 @@ Image render(const Place& place, const std::string& name, const Job& job, const 
                     .what = "",
                     .scene = room_camera(place) + world(room(), place),
                     .job = job};
-  const bool shading = needs_shading(job);
-  const Scene scene = read_scene(write_case(c, workshop), {shading, shading, shading});
-  RendererOptions options;
-  options.device = workshop.device;
-  options.shading = shading;
-  return Renderer(scene, options).render(job).image;
+  const Scene scene = read_case(c, workshop);
+  return Renderer(scene, renderer_options(job, workshop)).render(job).image;
 }
 
 Check run(const std::string& name, const std::function<Job(double)>& job_at, const Workshop& workshop) {

@@ -67,14 +67,11 @@ Check run(const std::string& name, const Job& job, const Workshop& workshop) {
   const auto start = std::chrono::steady_clock::now();
   const ImageCase c{
       .group = "condition", .name = name, .what = "", .scene = room_camera() + world(room()), .job = job};
-  const std::string path = write_case(c, workshop);
-  const bool shading = needs_shading(job);
-  const Scene scene = read_scene(path, {shading, shading, shading});
+  const Scene scene = read_case(c, workshop);
   const Scene other = moved(scene, 31);
-  RendererOptions options;
-  options.device = workshop.device;
-  options.shading = shading;
-  const auto on_device = [&](const Scene& s) { return Renderer(s, options).render(job).image; };
+  const auto on_device = [&](const Scene& s) {
+    return Renderer(s, renderer_options(job, workshop)).render(job).image;
+  };
   const auto in_double = [&](const Scene& s) { return Reference(s).render(job).image; };
   const Deviation device = deviation(on_device(other), on_device(scene), 1e-4);
   const Deviation truth = deviation(in_double(other), in_double(scene), 1e-4);
@@ -98,7 +95,7 @@ Check run(const std::string& name, const Job& job, const Workshop& workshop) {
   check.passed = device.non_finite == 0 && device.median <= std::max(1e-5, 2 * truth.median) &&
                  static_cast<double>(device.beyond) <= static_cast<double>(truth.beyond) + 0.005 * pixels &&
                  std::abs(device.bias) <= 1e-3 + 2 * std::abs(truth.bias);
-  check.command = command_of(path, job);
+  check.command = command_of(path_of(c, workshop), job);
   check.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return check;
 }

@@ -40,26 +40,36 @@ std::string command_of(const std::string& scene, const Job& job) {
   return command;
 }
 
+std::string path_of(const ImageCase& c, const Workshop& workshop) {
+  return (std::filesystem::path(workshop.folder) / (c.name + ".pbrt")).string();
+}
+
 std::string write_case(const ImageCase& c, const Workshop& workshop) {
   namespace fs = std::filesystem;
   const fs::path folder = workshop.folder;
   fs::create_directories(folder);
   for (const auto& [name, bytes] : c.files) write_file(folder / name, bytes);
   for (const auto& [name, image] : c.images) write_exr(folder / name, image);
-  const fs::path path = folder / (c.name + ".pbrt");
-  write_file(path, c.scene);
-  return path.string();
+  write_file(path_of(c, workshop), c.scene);
+  return path_of(c, workshop);
+}
+
+Scene read_case(const ImageCase& c, const Workshop& workshop) {
+  const bool shading = needs_shading(c.job);
+  return read_scene(write_case(c, workshop), {shading, shading, shading});
+}
+
+RendererOptions renderer_options(const Job& job, const Workshop& workshop) {
+  RendererOptions options;
+  options.device = workshop.device;
+  options.shading = needs_shading(job);
+  return options;
 }
 
 Check run_case(const ImageCase& c, const Workshop& workshop) {
   const auto start = std::chrono::steady_clock::now();
-  const std::string path = write_case(c, workshop);
-  const bool shading = needs_shading(c.job);
-  const Scene scene = read_scene(path, {shading, shading, shading});
-  RendererOptions options;
-  options.device = workshop.device;
-  options.shading = shading;
-  Renderer renderer(scene, options);
+  const Scene scene = read_case(c, workshop);
+  Renderer renderer(scene, renderer_options(c.job, workshop));
   const Image image = renderer.render(c.job).image;
   const Reference reference(scene);
   // The reference gathers from the device's VPLs: paths part ways at edges, which is not what is asked here.
@@ -82,7 +92,7 @@ Check run_case(const ImageCase& c, const Workshop& workshop) {
   check.passed = d.non_finite == 0 &&
                  static_cast<double>(d.beyond) <= c.bound.share * static_cast<double>(d.pixels) &&
                  std::abs(d.bias) <= c.bound.bias;
-  check.command = command_of(path, c.job);
+  check.command = command_of(path_of(c, workshop), c.job);
   check.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return check;
 }

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "render/device_context.h"
 #include "scene/job.h"
+#include "scene/scene.h"
 #include "stability/check.h"
 
 namespace capcon::stability {
@@ -36,8 +38,13 @@ struct Workshop {
   std::string folder;  ///< scenes and files are written here, each once
 };
 
-/// The path of the scene that a case wrote.
+/// Where a case's scene lies.
+std::string path_of(const ImageCase& c, const Workshop& workshop);
+/// Writes it and what it names; its path.
 std::string write_case(const ImageCase& c, const Workshop& workshop);
+/// The scene that a case wrote, with what its job needs.
+Scene read_case(const ImageCase& c, const Workshop& workshop);
+RendererOptions renderer_options(const Job& job, const Workshop& workshop);
 /// Renders both and compares.
 Check run_case(const ImageCase& c, const Workshop& workshop);
 /// `capcon render ...` for the job.

@@ -54,13 +54,8 @@ Check run(const KnownPoint& known, const Workshop& workshop, int most) {
   const auto start = std::chrono::steady_clock::now();
   const ImageCase c{
       .group = "sums", .name = known.name, .what = known.what, .scene = known.scene, .job = known.job(1)};
-  const std::string path = write_case(c, workshop);
-  const bool shading = needs_shading(c.job);
-  const Scene scene = read_scene(path, {shading, shading, shading});
-  RendererOptions options;
-  options.device = workshop.device;
-  options.shading = shading;
-  Renderer renderer(scene, options);
+  const Scene scene = read_case(c, workshop);
+  Renderer renderer(scene, renderer_options(c.job, workshop));
   Check check;
   check.group = "sums";
   check.name = known.name;
@@ -96,7 +91,7 @@ Check run(const KnownPoint& known, const Workshop& workshop, int most) {
   check.measured =
       fmt::format("RMSE {:.1e} at the end; RMSE sqrt(n) {:.2f} ... {:.2f} of its mean", last, low, high);
   check.passed = check.non_finite == 0 && low > 0.5 && high < 2;
-  check.command = command_of(path, known.job(1u << most));
+  check.command = command_of(path_of(c, workshop), known.job(1u << most));
   check.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return check;
 }
