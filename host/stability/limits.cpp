@@ -71,7 +71,7 @@ std::vector<Ladder> ladders() {
                         occlusion(1), 1e-4);
        },
        1e-1,
-       "rays that leave the square start off it by the rounding of its own size"},
+       "a distance within its own rounding is no hit"},
       {"large-floor",
        "a room on a floor of this size, as one quadrilateral",
        {1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7},
