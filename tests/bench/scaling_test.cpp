@@ -69,7 +69,7 @@ TEST(TracerBench, LeavesSpheresAndDisksOutOnBothSides) {
   const TracerBench bench = bench_tracer(scene, small_bench(), [](double) {});
   EXPECT_EQ(bench.left_out, 3u);
   for (const TracerBenchRow& row : bench.rows) {
-    if (row.rays == "primary") EXPECT_LE(row.different, 2u) << row.tracer;
+    if (row.rays == "primary") { EXPECT_LE(row.different, 2u) << row.tracer; }
   }
   scene.shapes.erase(scene.shapes.begin());
   EXPECT_THROW(bench_tracer(scene, small_bench(), [](double) {}), InputError);
