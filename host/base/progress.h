@@ -5,8 +5,8 @@
 
 namespace capcon {
 
-/// A progress bar on stderr. It appears only after a second, only where a person watches (stderr is a terminal), and
-/// never when quiet; it clears itself when it is destroyed.
+/// A progress bar on stderr. It appears only after a second, only where a person watches (stderr is a
+/// terminal), and never when quiet; it clears itself when it is destroyed.
 class Progress {
  public:
   Progress(std::string label, double total, bool quiet = false);

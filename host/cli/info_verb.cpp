@@ -36,18 +36,20 @@ void run(bool json) {
                       {"max_storage_buffer_bytes", d.max_storage_bytes},
                       {"max_texel_buffer_texels", d.max_texels}});
     }
-    fmt::print("{}\n", nlohmann::json{{"version", version()}, {"threads", thread_count()}, {"devices", list}}.dump(2));
+    fmt::print(
+        "{}\n",
+        nlohmann::json{{"version", version()}, {"threads", thread_count()}, {"devices", list}}.dump(2));
     return;
   }
   fmt::print("capcon {}, {} threads\n", version(), thread_count());
   if (devices.empty()) fmt::print("no Vulkan device; --device reference works without one\n");
   for (std::size_t i = 0; i < devices.size(); ++i) {
     const auto& d = devices[i];
-    fmt::print("{}: {} ({}{})\n", i, d.name, d.kind,
-               d.usable() ? "" : ", not usable: it has no " + d.lacks);
+    fmt::print("{}: {} ({}{})\n", i, d.name, d.kind, d.usable() ? "" : ", not usable: it has no " + d.lacks);
     fmt::print("   driver {}, Vulkan {}, subgroups of {}\n", d.driver, d.api_version, d.subgroup_size);
     fmt::print("   memory {:.1f} GiB, storage buffers up to {:.0f} MiB, texel buffers up to {:.0f} MiB\n",
-               static_cast<double>(d.memory_bytes) / (1 << 30), static_cast<double>(d.max_storage_bytes) / (1 << 20),
+               static_cast<double>(d.memory_bytes) / (1 << 30),
+               static_cast<double>(d.max_storage_bytes) / (1 << 20),
                static_cast<double>(d.max_texels) * 16 / (1 << 20));
   }
   fmt::print("reference: double precision on the CPU, no Vulkan needed\n");

@@ -4,8 +4,8 @@
 
 namespace capcon::cli {
 
-// One small file a verb: it declares its options and sets a callback that does the work. Results go to stdout (one JSON
-// value with --json), messages and progress to stderr, errors leave as InputError or Failure.
+// One small file a verb: it declares its options and sets a callback that does the work. Results go to stdout
+// (one JSON value with --json), messages and progress to stderr, errors leave as InputError or Failure.
 void add_points_verb(CLI::App& app);
 void add_measure_verb(CLI::App& app);
 void add_partition_verb(CLI::App& app);

@@ -56,8 +56,7 @@ Integrand smooth() {
              std::sqrt((e * e - 1) / 10 - mean * mean), product_variation({e - 1, e}, {1, 1}), bounds});
   const double square = std::exp(-2) * (std::expint(4.0) - std::expint(2.0)) * 1.5 / 9;
   result.importance = Importance{
-      "2(1 + x) y²",
-      [](glm::dvec2 u) { return glm::dvec2(std::sqrt(1 + 3 * u.x) - 1, std::cbrt(u.y)); },
+      "2(1 + x) y²", [](glm::dvec2 u) { return glm::dvec2(std::sqrt(1 + 3 * u.x) - 1, std::cbrt(u.y)); },
       [](glm::dvec2 p) { return (1 + p.x) / 1.5 * 3 * p.y * p.y; }, std::sqrt(square - mean * mean)};
   return result;
 }

@@ -18,7 +18,8 @@ inline bool outside(const Light& sphere, const glm::dvec3& origin) {
 inline double cone_height(const Light& sphere, const glm::dvec3& origin) {
   const double distance = glm::distance(origin, sphere.position);
   const double cosine2 = (distance - sphere.radius) * (distance + sphere.radius) / (distance * distance);
-  const double sine = sphere.radius / distance;  // 1 - cosine2 would lose the digits of small and distant spheres
+  const double sine =
+      sphere.radius / distance;  // 1 - cosine2 would lose the digits of small and distant spheres
   return sine * sine / (1 + std::sqrt(std::max(0.0, cosine2)));
 }
 

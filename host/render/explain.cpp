@@ -196,8 +196,7 @@ Explanation explain(const std::string& scene_path, int width, int height, const 
   e.needed.read_seconds = read_needed;
   e.everything.read_seconds = read_everything;
   e.rows = feature_rows(whole, needed.renderer->state().features, needed.renderer->state().scene_constants);
-  if (needs_shading(job))
-    add_shading_rows(needed.renderer->state().scene_constants, e.rows);
+  if (needs_shading(job)) add_shading_rows(needed.renderer->state().scene_constants, e.rows);
   return e;
 }
 

@@ -22,8 +22,8 @@ struct Placement {
 };
 
 /// The origin is the camera within the scene's bounds, their centre from outside, on a grid so coarse that
-/// round numbers stay round; nothing moves where that is nearer to the world's origin than twice the radius of
-/// the bounds. The scale is 1 for scenes of usual size (a bounding sphere of radius 1/16 ... 4096).
+/// round numbers stay round; nothing moves where that is nearer to the world's origin than twice the radius
+/// of the bounds. The scale is 1 for scenes of usual size (a bounding sphere of radius 1/16 ... 4096).
 Placement place_scene(const BoundingSphere& bounds, const glm::dvec3& camera);
 
 /// Lights in the device's space; a point light's intensity goes with the square of lengths, so that

@@ -15,7 +15,7 @@ constexpr std::uint32_t kPurposeColours = 0x90000000u;  ///< + group: 128 corner
 constexpr std::uint32_t kPurposeParts = 0xa0000000u;    ///< + block: word w turns the parts of a set
 constexpr std::uint32_t kPurposeFiner = 0xc0000000u;    ///< + stratum: word y orders the parts within it
 constexpr std::uint32_t kPurposeWithin = 0xb0000000u;   ///< words z, w: places within cells; y: a flip
-constexpr std::uint32_t kPurposePaths = 0xd0000000u;   ///< + set: word y orders its light paths
+constexpr std::uint32_t kPurposePaths = 0xd0000000u;    ///< + set: word y orders its light paths
 
 inline std::array<std::uint32_t, 4> set_words(std::uint32_t seed, std::uint32_t pixel,
                                               std::uint32_t dimension, std::uint32_t purpose = kPurposeSet) {

@@ -49,7 +49,8 @@ class Reader {
 
   /// Permutations of 0 ... length - 1.
   Rows rows(std::uint32_t count, std::uint32_t length) {
-    if (count > kMostRows || length > kMostStoredPoints || (count == 0) != (length == 0)) fail("have sizes that do not fit each other");
+    if (count > kMostRows || length > kMostStoredPoints || (count == 0) != (length == 0))
+      fail("have sizes that do not fit each other");
     Rows result(count);
     for (auto& row : result) {
       std::vector<char> seen(length);
