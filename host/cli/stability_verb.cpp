@@ -81,8 +81,7 @@ void run(Options& o) {
       {"passed", passed}, {"command", command_line(o)}, {"version", version()}, {"checks", to_json(checks)}};
   if (!o.directory.empty()) {
     write_file(fs::path(o.directory) / "stability.json", json.dump(1) + "\n");
-    write_file(fs::path(o.directory) / "stability.html",
-               stability_page(checks, o.suite.device, command_line(o)));
+    write_file(fs::path(o.directory) / "stability.html", stability_page(checks, command_line(o)));
   }
   if (o.json) {
     fmt::print("{}\n", json.dump(2));

@@ -16,6 +16,7 @@ nlohmann::ordered_json to_json(const std::vector<Check>& checks) {
         {"bound", c.bound},           {"reason", c.reason}, {"passed", c.passed}, {"seconds", c.seconds},
         {"command", c.command}};
     if (std::isfinite(c.largest)) row["largest"] = c.largest;
+    if (!c.device.empty()) row["device"] = c.device;
     if (!c.curve.empty()) row["curve"] = c.curve;
     rows.push_back(std::move(row));
   }

@@ -26,7 +26,8 @@ struct Check {
       {};  ///< (samples a pixel, RMSE), where error falls with samples
   bool passed = false;
   double seconds = 0;
-  std::string command;  ///< renders it again; empty where there is no single one
+  std::string device = {};  ///< the device's own name; empty where none was used
+  std::string command;      ///< renders it again; empty where there is no single one
 };
 
 nlohmann::ordered_json to_json(const std::vector<Check>& checks);

@@ -70,13 +70,13 @@ Check run_case(const ImageCase& c, const Workshop& workshop) {
   const auto start = std::chrono::steady_clock::now();
   const Scene scene = read_case(c, workshop);
   Renderer renderer(scene, renderer_options(c.job, workshop));
-  const Image image = renderer.render(c.job).image;
+  const RenderResult result = renderer.render(c.job);
   const Reference reference(scene);
   // The reference gathers from the device's VPLs: paths part ways at edges, which is not what is asked here.
   const auto* igi = std::get_if<GlobalIlluminationJob>(&c.job);
   const Image truth =
       (igi ? reference.render(*igi, renderer.virtual_lights(*igi)) : reference.render(c.job)).image;
-  const Deviation d = deviation(image, truth, c.bound.tolerance);
+  const Deviation d = deviation(result.image, truth, c.bound.tolerance);
   Check check;
   check.group = c.group;
   check.name = c.name;
@@ -92,6 +92,7 @@ Check run_case(const ImageCase& c, const Workshop& workshop) {
   check.passed = d.non_finite == 0 &&
                  static_cast<double>(d.beyond) <= c.bound.share * static_cast<double>(d.pixels) &&
                  std::abs(d.bias) <= c.bound.bias;
+  check.device = result.device;
   check.command = command_of(path_of(c, workshop), c.job);
   check.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return check;

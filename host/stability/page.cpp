@@ -60,9 +60,10 @@ std::string table_of(const std::string& group, const std::vector<Check>& checks)
 
 }  // namespace
 
-std::string stability_page(const std::vector<Check>& checks, const std::string& device,
-                           const std::string& command) {
+std::string stability_page(const std::vector<Check>& checks, const std::string& command) {
   const auto passed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return c.passed; });
+  std::string device;
+  for (const Check& c : checks) device = device.empty() ? c.device : device;
   double seconds = 0;
   for (const Check& c : checks) seconds += c.seconds;
   std::string html = fmt::format(
