@@ -77,15 +77,40 @@ bool is_channel_list(std::string_view bytes) {
   return bytes.empty();
 }
 
+/// Whether these bytes are a preview image: its size and four bytes a pixel.
+bool is_preview(std::string_view bytes) {
+  if (bytes.size() < 8) return false;
+  const std::uint64_t width = take_bytes<std::uint32_t>(bytes), height = take_bytes<std::uint32_t>(bytes);
+  return width <= bytes.size() && height <= bytes.size() && 4 * width * height == bytes.size();
+}
+
+/// Whether these bytes are strings, each behind its length.
+bool is_strings(std::string_view bytes) {
+  while (bytes.size() >= 4) {
+    const auto length = take_bytes<std::uint32_t>(bytes);
+    if (length > bytes.size()) return false;
+    bytes.remove_prefix(length);
+  }
+  return bytes.empty();
+}
+
+/// Whether OpenEXR reads what the length says, and takes no more memory.
+bool fits(std::string_view type, std::string_view value) {
+  if (type == "chlist") return is_channel_list(value);
+  if (type == "preview") return is_preview(value);
+  if (type == "stringvector") return is_strings(value);
+  const std::uint32_t expected = bytes_of_type(type);
+  return expected == 0 || value.size() == expected;
+}
+
 /// The attributes of one header by their lengths.
 void walk_header(std::string_view& bytes) {
   while (!take_name(bytes).empty()) {
     const std::string_view type = take_name(bytes);
     if (bytes.size() < 4) refuse("its header does not end");
     const auto length = take_bytes<std::uint32_t>(bytes);
-    const std::uint32_t expected = bytes_of_type(type);
-    if (length > bytes.size() || (expected != 0 && length != expected) ||
-        (type == "chlist" && !is_channel_list(bytes.substr(0, length))))
+    if (type == "idmanifest") refuse("it holds a manifest of ids, which is not supported");
+    if (length > bytes.size() || !fits(type, bytes.substr(0, length)))
       refuse("its header is damaged: an attribute has a wrong length");
     bytes.remove_prefix(length);
   }
