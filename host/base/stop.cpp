@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -31,7 +32,8 @@ Stop& the_stop() {
 [[noreturn]] void end(const std::string& program, int signal) {
   Stop& stop = the_stop();
   const std::lock_guard held(stop.mutex);  // kept to the end: nothing is made or renamed from here on
-  for (const auto& path : stop.temporaries) ::unlink(path.c_str());
+  std::error_code ignored;
+  for (const auto& path : stop.temporaries) std::filesystem::remove_all(path, ignored);
   const std::string_view clear = ::isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";  // the progress bar
   write_all(STDERR_FILENO, fmt::format("{}{}: stopped; {}\n", clear, program, stop.message));
   ::_exit(128 + signal);

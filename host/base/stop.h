@@ -40,7 +40,8 @@ class StopLater {
   std::unique_lock<std::mutex> held_;
 };
 
-/// Temporary files that are removed when a signal ends the program. To be called while a StopLater lives.
+/// Temporary files and folders that are removed when a signal ends the program. To be called while a
+/// StopLater lives.
 void register_temporary(const std::filesystem::path& path);
 void forget_temporary(const std::filesystem::path& path);
 

@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "bench/scaling_bench.h"
 #include "bench/tracer_bench.h"
+#include "cli/positive.h"
 #include "cli/scaling_output.h"
 #include "cli/verbs.h"
 #include "plot/picture_file.h"
@@ -105,7 +106,7 @@ void add_bench_verb(CLI::App& app) {
       "          capcon bench tracer --scaling -o scaling.svg");
   verb->add_option("scene", o->scene, "Scene: .pbrt, .ply or .obj");
   verb->add_option("--radius", o->bench.radius, "Length of the occlusion rays (default: unlimited)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   verb->add_option("--samples", o->bench.samples, "Occlusion rays a pixel")
       ->capture_default_str()
       ->check(CLI::Range(1u, 1024u));

@@ -1,4 +1,5 @@
 #include "cli/job_options.h"
+#include "cli/positive.h"
 
 #include <fmt/format.h>
 
@@ -64,7 +65,7 @@ void JobOptions::add_to(CLI::App& verb) {
       ->capture_default_str();
   verb.add_option("--radius", radius,
                   "ao: occluders farther away than this do not count (scene units; default inf)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   verb.add_option(
           "--strategy", strategy,
           "Direct, igi: how light and BSDF samples are combined: power, balance (heuristics); lights, "
@@ -99,7 +100,7 @@ void JobOptions::add_global_illumination(CLI::App& verb) {
   verb.add_option(
           "--limit", limit,
           "igi: the most that the geometry term may be, 1 / square scene unit (default: by the scene's size)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   verb.add_option("--gather", gather,
                   "igi: rays for what clamping leaves out, for each set of an image sample")
       ->capture_default_str()

@@ -1,4 +1,5 @@
 #include "cli/points_options.h"
+#include "cli/positive.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -96,7 +97,7 @@ void add_points_options(CLI::App& verb, PointsOptions& options) {
           "--time-limit", options.time_limit,
           "end after this many seconds, at the next pass, with what there is: capacities hold, at a lower "
           "capacity if need be (ccvt)")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->type_name("SECONDS");
   verb.add_option(
           "--density", options.density,

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/progress.h"
+#include "base/stop.h"
 #include "cli/verbs.h"
 #include "gpu/instance.h"
 #include "stability/page.h"
@@ -28,15 +29,19 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "capcon-stability-XXXXXX").string();
+    const StopLater to_register;
     if (!::mkdtemp(pattern.data()))
       throw Failure("no folder can be made in " + std::filesystem::temp_directory_path().string());
     path_ = pattern;
+    register_temporary(path_);
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   ~TemporaryFolder() {
+    const StopLater to_forget;
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
+    forget_temporary(path_);
   }
   const std::filesystem::path& path() const { return path_; }
 

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/cold_explain.h"
+#include "cli/positive.h"
 #include "cli/verbs.h"
 #include "reference/reference.h"
 #include "render/features.h"
@@ -254,7 +255,7 @@ void add_light_paths(CLI::App* study, const std::shared_ptr<Options>& o) {
       ->add_option(
           "--limit", s.limit,
           "the most that the geometry term may be, 1 / square scene unit (default: by the scene's size)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
 }
 
 std::shared_ptr<Options> options_for(Integral integral) {

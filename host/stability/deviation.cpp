@@ -44,7 +44,6 @@ Deviation deviation(const Image& image, const Image& truth, double tolerance) {
   std::sort(all.begin(), all.end());
   result.largest = all.back();
   result.median = all[all.size() / 2];
-  result.percentile99 = all[std::min(all.size() - 1, all.size() * 99 / 100)];
   return result;
 }
 

@@ -12,7 +12,6 @@ struct Deviation {
   std::uint64_t non_finite = 0;  ///< pixels of `image` with a value that is not finite
   double largest = 0;  ///< over the others: largest difference of a channel / max(|truth|, mean |truth|)
   double median = 0;
-  double percentile99 = 0;
   std::uint64_t beyond = 0;  ///< pixels above the tolerance, non-finite ones included
   double bias = 0;           ///< (sum of image - sum of truth) / sum |truth|
 };

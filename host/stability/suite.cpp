@@ -79,6 +79,11 @@ std::vector<std::pair<std::string, std::string>> names_of_checks(const SuiteOpti
 std::vector<Check> run_suite(const SuiteOptions& options,
                              const std::function<void(const Check&, std::size_t)>& on_check) {
   const std::vector<Task> tasks = all_tasks(options);
+  // A device that is not there is one sentence, not a check after the other that failed.
+  RendererOptions device;
+  device.device = options.device;
+  if (std::any_of(tasks.begin(), tasks.end(), [](const Task& t) { return t.group != "points"; }))
+    open_device(device).get();
   std::vector<Check> checks;
   for (const Task& task : tasks) {
     try {

@@ -18,7 +18,8 @@ struct SuiteOptions {
 /// Names and groups of all checks, in order: (group, name).
 std::vector<std::pair<std::string, std::string>> names_of_checks(const SuiteOptions& options);
 /// Runs the checks one after another; `on_check` is called after each with the number of all. What throws
-/// becomes a check that failed, with the sentence. InputError where `only` names nothing.
+/// becomes a check that failed, with the sentence. InputError where
+/// `only` names nothing; InputError and Failure where the device is not there.
 std::vector<Check> run_suite(const SuiteOptions& options,
                              const std::function<void(const Check&, std::size_t all)>& on_check);
 

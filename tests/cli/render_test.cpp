@@ -86,6 +86,9 @@ TEST(Render, BadWordsAreUsageErrors) {
   EXPECT_EQ(run("render " + scene).exit_code, 2);
   EXPECT_EQ(run("render " + scene + " --instancing three-level -o " + (folder / "a.exr")).exit_code, 2);
   EXPECT_EQ(run("render " + scene + " --width 20000 -o " + (folder / "a.exr")).exit_code, 2);
+  const Outcome nothing = run("render " + scene + " --radius 0 -o " + (folder / "a.exr"));
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_EQ(nothing.err, "capcon: --radius: 0 is not a number above 0; see `capcon render --help`\n");
 }
 
 }  // namespace

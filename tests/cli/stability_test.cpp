@@ -28,6 +28,9 @@ TEST(Stability, UnknownNamesAreOneSentence) {
   const Outcome o = run("stability --only nothing");
   EXPECT_EQ(o.exit_code, 2);
   EXPECT_EQ(o.err, "capcon: there is no check or group \"nothing\"; capcon stability --list names them\n");
+  const Outcome device = run("stability --brief --device nothing");
+  EXPECT_EQ(device.exit_code, 2);
+  EXPECT_EQ(device.out, "");
   const Outcome list = run("stability --list");
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_NE(list.out.find("watertight"), std::string::npos);
