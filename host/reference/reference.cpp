@@ -211,6 +211,10 @@ VirtualLights Reference::trace_virtual_lights(const GlobalIlluminationJob& job) 
 }
 
 RenderResult Reference::render(const Job& job, const std::function<void(double)>& on_progress) const {
+  const auto* occlusion = std::get_if<AmbientOcclusionJob>(&job);
+  const auto* direct = std::get_if<DirectLightingJob>(&job);
+  if ((occlusion && !occlusion->share.whole()) || (direct && !direct->share.whole()))
+    throw InputError("the reference makes whole images alone: leave out mpirun, or --device reference");
   return std::visit([&](const auto& j) { return render(j, on_progress); }, job);
 }
 

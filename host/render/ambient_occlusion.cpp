@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 
 #include "base/error.h"
 #include "render/pass.h"
@@ -19,7 +20,9 @@ class AmbientOcclusionPass : Pass {
  public:
   AmbientOcclusionPass(RendererState& state, const AmbientOcclusionJob& job, int first_row, int rows,
                        const std::function<void(double)>& on_progress)
-      : Pass(state, first_row, rows, 1, on_progress), job_(job) {}
+      : Pass(state, first_row, rows, 1, on_progress), job_(job) {
+    std::tie(from_, end_) = job.share.of(job.samples);
+  }
 
   RenderResult run() {
     auto start = Clock::now();
@@ -44,7 +47,7 @@ class AmbientOcclusionPass : Pass {
       band(jittered);
       resolve(first);
     });
-    result_.rays = std::uint64_t(pixels_) * job_.samples;
+    result_.rays = std::uint64_t(pixels_) * (end_ - from_);
     return std::move(result_);
   }
 
@@ -54,10 +57,10 @@ class AmbientOcclusionPass : Pass {
     s_.counts.clear();
     if (!jittered) {
       primary(*primary_, image_tables_, false, job_.seed, job_.samples, 0);
-      occlusion(0, job_.samples);
+      occlusion(from_, end_ - from_);
       return;
     }
-    for (std::uint32_t i = 0; i < job_.samples; ++i) {
+    for (std::uint32_t i = from_; i < end_; ++i) {
       primary(*primary_, image_tables_, true, job_.seed, job_.samples, i);
       occlusion(i, 1);
     }
@@ -84,7 +87,7 @@ class AmbientOcclusionPass : Pass {
                    push.group_stride = spreading_stride(groups);
                    submit(*occlusion_, &push, groups, "occlusion");
                    progress(static_cast<double>(pixels) * push.samples,
-                            static_cast<double>(pixels_) * job_.samples);
+                            static_cast<double>(pixels_) * (end_ - from_));
                  });
     }
   }
@@ -96,12 +99,13 @@ class AmbientOcclusionPass : Pass {
     std::vector<std::uint32_t> counts(band_pixels_);
     s_.counts.download(counts.data(), 4 * counts.size());
     for (std::size_t i = 0; i < counts.size(); ++i) {
-      result_.image.pixels[first + i] = static_cast<float>(static_cast<double>(counts[i]) / job_.samples);
+      put(first + i, counts[i], 0, job_.share, job_.samples);
     }
     result_.timings.wall["resolve"] += seconds_since(start);
   }
 
   const AmbientOcclusionJob& job_;
+  std::uint32_t from_ = 0, end_ = 0;  // samples of the job's share
   SamplerTables tables_, image_tables_;
   gpu::Kernel* primary_ = nullptr;
   gpu::Kernel* occlusion_ = nullptr;

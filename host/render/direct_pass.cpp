@@ -1,6 +1,7 @@
 #include "render/direct_pass.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "render/sample_order.h"
 
@@ -72,7 +73,9 @@ DirectLightingPass::DirectLightingPass(RendererState& state, const DirectLightin
                                        int rows, const std::function<void(double)>& on_progress)
     : Pass(state, first_row, rows, 3, on_progress),
       job_(job),
-      jittered_(job.position == PixelPosition::jittered) {}
+      jittered_(job.position == PixelPosition::jittered) {
+  std::tie(from_, end_) = job.share.of(jittered_ ? job.image_samples : job.samples());
+}
 
 RenderResult DirectLightingPass::run() {
   const auto start = Clock::now();
@@ -85,13 +88,13 @@ RenderResult DirectLightingPass::run() {
   each_band([&](std::uint32_t first) {
     s_.sums.clear();
     if (jittered_) {
-      for (std::uint32_t p = 0; p < job_.image_samples; ++p) {
+      for (std::uint32_t p = from_; p < end_; ++p) {
         look(p);
         direct_light(p * job_.integrator_samples, job_.integrator_samples);
       }
     } else {
       look(0);
-      direct_light(0, job_.samples());
+      direct_light(from_, end_ - from_);
     }
     resolve(first);
   });
@@ -99,9 +102,13 @@ RenderResult DirectLightingPass::run() {
   return std::move(result_);
 }
 
+std::uint64_t DirectLightingPass::share_samples() const {
+  return std::uint64_t(end_ - from_) * (jittered_ ? job_.integrator_samples : 1);
+}
+
 std::uint64_t DirectLightingPass::direct_rays() const {
-  const std::uint64_t singles = (lights_.size() - sampled_) * (jittered_ ? job_.image_samples : 1);
-  return pixels_ * (job_.samples() * (sampled_ + (bsdf_ ? 1 : 0)) + singles);
+  const std::uint64_t singles = (lights_.size() - sampled_) * (jittered_ ? end_ - from_ : 1);
+  return pixels_ * (share_samples() * (sampled_ + (bsdf_ ? 1 : 0)) + singles);
 }
 
 void DirectLightingPass::make_points() {
@@ -133,6 +140,7 @@ void DirectLightingPass::look(std::uint32_t p) {
 }
 
 void DirectLightingPass::direct_light(std::uint32_t first, std::uint32_t count) {
+  if (count == 0) return;
   emission(static_cast<float>(count));
   if (lights_.empty() && !bsdf_) return;
   single_samples(first, count);
@@ -145,7 +153,7 @@ void DirectLightingPass::direct_light(std::uint32_t first, std::uint32_t count) 
                  samples_of(band_ + pixel, pixels, first + from, samples);
                  if (tells_progress_)
                    progress(static_cast<double>(pixels) * samples,
-                            static_cast<double>(pixels_) * job_.samples());
+                            static_cast<double>(pixels_) * static_cast<double>(share_samples()));
                });
   }
 }
@@ -225,8 +233,8 @@ void DirectLightingPass::resolve(std::uint32_t first, const std::vector<double>&
   for (std::size_t i = 0; i < band_pixels_; ++i) {
     for (int c = 0; c < 3; ++c) {
       const double sum = static_cast<double>(sums[2 * i][c]) - static_cast<double>(sums[2 * i + 1][c]);
-      result_.image.pixels[3 * (first + i) + c] =
-          static_cast<float>(sum / job_.samples() + (more.empty() ? 0 : more[3 * i + c]));
+      const std::size_t value = 3 * (first + i) + c;
+      put(value, sum, more.empty() ? 0 : more[3 * i + c], job_.share, job_.samples());
     }
   }
   result_.timings.wall["resolve"] += seconds_since(start);

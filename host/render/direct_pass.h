@@ -44,9 +44,12 @@ class DirectLightingPass : public Pass {
   void add_up(gpu::Kernel& kernel, std::uint32_t first_pixel, std::uint32_t pixels, std::uint32_t columns,
               std::uint32_t band, float weight = 1);
   std::uint64_t direct_rays() const;
+  /// Integrator samples of a pixel in the job's share.
+  std::uint64_t share_samples() const;
 
   const DirectLightingJob& job_;
   bool jittered_;
+  std::uint32_t from_ = 0, end_ = 0;  ///< the job's share of image samples, or at centres of the integrator's
   bool tells_progress_ = true;
   gpu::Kernel* sum_ = nullptr;
 

@@ -57,12 +57,13 @@ class GlobalIlluminationPass : public GatherPass {
       s_.sums.clear();
       more_.assign(3 * std::size_t(band_pixels_), 0);
       if (jittered_) {
-        for (std::uint32_t p = 0; p < job_.image_samples; ++p) image_sample(p);
+        for (std::uint32_t p = from_; p < end_; ++p) image_sample(p);
       } else {
         look(0);
-        if (!igi_.only_indirect) direct_light(0, job_.samples());
+        if (!igi_.only_indirect) direct_light(from_, end_ - from_);
         const std::uint32_t sets = igi_.sets_a_pixel();
-        for (std::uint32_t j = 0; j < sets; ++j) set_light(j, j, 1.0 / sets);
+        const auto [from, end] = job_.share.of(sets);
+        for (std::uint32_t j = from; j < end; ++j) set_light(j, j, 1.0 / sets);
       }
       resolve(first, more_);
     });
@@ -99,7 +100,8 @@ class GlobalIlluminationPass : public GatherPass {
     }
     result_.timings.wall["compile"] = s_.kernels.take_compile_seconds();
     std::uint64_t lights = 0;
-    const std::uint32_t looks = jittered_ ? job_.image_samples : igi_.sets_a_pixel();
+    const auto [from, end] = job_.share.of(igi_.sets_a_pixel());
+    const std::uint32_t looks = jittered_ ? end_ - from_ : end - from;
     lights = lights_.path_and_bounce.size() / igi_.sets * looks;
     all_work_ = std::max(1.0, static_cast<double>(pixels_) * static_cast<double>(lights));
   }

@@ -51,6 +51,16 @@ void Pass::submit(const gpu::Kernel& kernel, const void* push, std::uint32_t gro
   result_.timings.wall[stage] += seconds_since(start);
 }
 
+void Pass::put(std::size_t value, double sum, double more, const SampleShare& share, std::uint32_t samples) {
+  if (share.whole()) {
+    result_.image.pixels[value] = static_cast<float>(sum / samples + more);
+    return;
+  }
+  result_.samples = samples;
+  result_.sums.resize(result_.image.pixels.size());
+  result_.sums[value] = sum + more * samples;
+}
+
 void Pass::progress(double lanes, double all) {
   done_ += lanes;
   if (on_progress_) on_progress_(done_ / all);

@@ -50,6 +50,10 @@ class Pass {
   /// Runs a kernel and waits; its time counts for `stage`, and for the size of its batches.
   void submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups, const std::string& stage);
 
+  /// A value of the image: the mean over a pixel's samples, `sum` over their number, and `more`. Of a share
+  /// the sum stays one.
+  void put(std::size_t value, double sum, double more, const SampleShare& share, std::uint32_t samples);
+
   /// Lanes done, of all.
   void progress(double lanes, double all);
 

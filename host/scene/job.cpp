@@ -9,6 +9,17 @@
 
 namespace capcon {
 
+bool can_be_shared(const Job& job) {
+  return !std::holds_alternative<PathTracingJob>(job);
+}
+
+Job with_share(Job job, const SampleShare& share) {
+  if (auto* occlusion = std::get_if<AmbientOcclusionJob>(&job)) occlusion->share = share;
+  if (auto* direct = std::get_if<DirectLightingJob>(&job)) direct->share = share;
+  if (auto* igi = std::get_if<GlobalIlluminationJob>(&job)) igi->direct.share = share;
+  return job;
+}
+
 PixelPosition position_of(const Job& job) {
   if (const auto* igi = std::get_if<GlobalIlluminationJob>(&job)) return igi->direct.position;
   if (const auto* direct = std::get_if<DirectLightingJob>(&job)) return direct->position;
@@ -43,6 +54,12 @@ void check_job(const GlobalIlluminationJob& job) {
 
 bool needs_shading(const Job& job) {
   return !std::holds_alternative<AmbientOcclusionJob>(job);
+}
+
+void finish_shares(RenderResult& all) {
+  for (std::size_t i = 0; i < all.sums.size(); ++i)
+    all.image.pixels[i] = static_cast<float>(all.sums[i] / all.samples);
+  all.sums.clear();
 }
 
 nlohmann::json to_json(const Timings& timings) {

@@ -6,7 +6,9 @@
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "image/image.h"
 
@@ -18,6 +20,20 @@ enum class PixelPosition : std::uint8_t {
   jittered  ///< each sample at a point of the sampler's own 2D set over the pixel (box filter)
 };
 
+/// Share number `index` of `count` of a job's samples, for processes that make one image together. Shares are
+/// runs of consecutive samples; together they are all of them, each once.
+struct SampleShare {
+  std::uint32_t index = 0;  ///< below count
+  std::uint32_t count = 1;
+
+  bool whole() const { return count == 1; }
+  /// The share of `n` samples: first, and the one after the last. Empty where there are fewer than shares.
+  std::pair<std::uint32_t, std::uint32_t> of(std::uint32_t n) const {
+    const auto cut = [&](std::uint64_t i) { return static_cast<std::uint32_t>(n * i / count); };
+    return {cut(index), cut(index + std::uint64_t(1))};
+  }
+};
+
 /// One ambient-occlusion render, a plain value: the text's integral
 /// A(x, n, r) = 1/pi integral over the hemisphere of V(x, w, r) |cos theta| dw, cosine-weighted by the
 /// concentric map.
@@ -27,6 +43,7 @@ struct AmbientOcclusionJob {
   std::uint32_t samples = 16;  ///< occlusion rays a pixel, >= 1
   std::uint32_t seed = 1;
   PixelPosition position = PixelPosition::centre;
+  SampleShare share = {};  ///< of the rays of a pixel
 };
 
 /// How a pixel weighs what lies around its centre; image samples are placed in proportion (no weights, no
@@ -58,6 +75,9 @@ struct DirectLightingJob {
   Strategy strategy = Strategy::power;
   /// Whether the P sets of a pixel are parts of one set of P I points; else each is a set of its own.
   bool partition = true;
+  /// Of the image samples; of the integrator's where all lie at the pixel's centre; of instant global
+  /// illumination there also of the sets.
+  SampleShare share = {};
 
   std::uint32_t samples() const { return image_samples * integrator_samples; }
 };
@@ -103,6 +123,11 @@ struct PathTracingJob {
 /// Any render.
 using Job = std::variant<AmbientOcclusionJob, DirectLightingJob, GlobalIlluminationJob, PathTracingJob>;
 
+/// Whether a job can be shared: all but path tracing.
+bool can_be_shared(const Job& job);
+/// The same job with this share of its samples.
+Job with_share(Job job, const SampleShare& share);
+
 /// Where the image samples of a job lie.
 PixelPosition position_of(const Job& job);
 /// InputError where its numbers make no sense together.
@@ -123,6 +148,10 @@ nlohmann::json to_json(const Timings& timings);
 struct RenderResult {
   /// Ambient occlusion: one channel in [0, 1], 0 where no surface is seen. Else radiance, linear sRGB.
   Image image;
+  /// Of a share of a job: for each value of the image the sum over the share's samples. Those of all shares,
+  /// added up and divided by `samples`, are the image, which is black meanwhile.
+  std::vector<double> sums;
+  std::uint32_t samples = 0;  ///< of the whole job, a pixel, where there are sums
   Timings timings;
   std::uint64_t rays = 0;            ///< occlusion or shadow rays traced
   std::uint64_t virtual_lights = 0;  ///< of instant global illumination
@@ -130,5 +159,8 @@ struct RenderResult {
   /// When the first kernel that traces was handed to the device; the clock's zero where there is none.
   std::chrono::steady_clock::time_point first_dispatch{};
 };
+
+/// Makes the image of a result whose sums are those of all shares.
+void finish_shares(RenderResult& all);
 
 }  // namespace capcon
