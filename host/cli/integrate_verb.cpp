@@ -68,7 +68,7 @@ void add_integrate_verb(CLI::App& app) {
       ->allow_extra_args(false)
       ->type_name("A,B");
   verb->add_option("--estimators", s.estimators,
-                   "any of: " + names_of(integrate::estimators()) + " (default: all)")
+                   "any of: " + names_of(integrate::estimators()) + " (default: all); or file:PATH")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("A,B");

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "sampling/sampler.h"
+#include "sampling/point_file.h"
 
 namespace capcon::cli {
 namespace {
@@ -19,6 +19,17 @@ Strategy strategy_of(const std::string& name) {
   if (name == "balance") return Strategy::balance;
   if (name == "lights") return Strategy::lights;
   return name == "bsdf" ? Strategy::bsdf : Strategy::power;
+}
+
+/// A label that is safe in tables, and where points came from if that is a file.
+void describe_sampler(const std::string& name, const std::string& sampler, Attributes& a) {
+  a[name] = sampler_label(sampler);
+  if (is_point_file(sampler)) a[name + "File"] = parse_point_file(sampler).path;
+}
+
+void describe_sampler(const std::string& name, const std::string& sampler, nlohmann::ordered_json& json) {
+  json[name] = sampler_label(sampler);
+  if (is_point_file(sampler)) json[name + "_file"] = parse_point_file(sampler).path;
 }
 
 }  // namespace
@@ -47,7 +58,7 @@ void JobOptions::add_to(CLI::App& verb) {
   verb.add_option(
           "--sampler", sampler,
           "Where sample points come from: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo "
-          "halton lattice pmj02")
+          "halton lattice pmj02, or file:PATH[:shift|xor|none][:sequence] for your own")
       ->capture_default_str();
   auto* count = verb.add_option("--samples", samples,
                                 "ao: occlusion rays a pixel; direct, igi: as --split 1xN; path: paths")
@@ -171,13 +182,13 @@ GlobalIlluminationJob JobOptions::global_illumination_job() const {
 }
 
 Job JobOptions::job() const {
-  make_sampler(sampler, 1, 1);  // an unknown name is said before the work
+  check_sampler(sampler);  // told before the work
   check();
   const PixelPosition place = position == "jittered" ? PixelPosition::jittered : PixelPosition::centre;
   if (integrator == "ao") return AmbientOcclusionJob{radius, sampler, samples, seed, place};
   if (integrator == "path") return PathTracingJob{samples, seed, place, indirect};
   if (integrator == "direct") return direct_job();
-  if (!path_sampler.empty()) make_sampler(path_sampler, 1, 1);
+  if (!path_sampler.empty()) check_sampler(path_sampler);
   return global_illumination_job();
 }
 
@@ -188,15 +199,16 @@ std::uint32_t JobOptions::samples_a_pixel() const {
 }
 
 std::string JobOptions::key() const {
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", integrator, sampler, samples,
-                     split, seed, radius, position, filter, strategy, no_partition, path_sampler, clamping,
-                     paths, sets, limit, gather, block, indirect, two_sided);
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {:016x} {:016x}", integrator,
+                     sampler, samples, split, seed, radius, position, filter, strategy, no_partition,
+                     path_sampler, clamping, paths, sets, limit, gather, block, indirect, two_sided,
+                     point_file_fingerprint(sampler), point_file_fingerprint(path_sampler));
 }
 
 void describe(const JobOptions& o, Attributes& a) {
   a["samplesPerPixel"] = static_cast<int>(o.samples_a_pixel());
   a["integrator"] = o.integrator;
-  a["sampler"] = o.sampler;
+  describe_sampler("sampler", o.sampler, a);
   a["seed"] = static_cast<int>(o.seed);
   a["pixelSamples"] = o.position;
   if (o.integrator == "ao") {
@@ -206,7 +218,7 @@ void describe(const JobOptions& o, Attributes& a) {
   if (o.indirect) a["light"] = "indirect";
   if (o.integrator == "path") return;
   if (o.integrator == "igi") {
-    a["pathSampler"] = o.path_sampler.empty() ? o.sampler : o.path_sampler;
+    describe_sampler("pathSampler", o.path_sampler.empty() ? o.sampler : o.path_sampler, a);
     a["lightPaths"] = static_cast<int>(o.paths);
     a["lightSets"] = static_cast<int>(o.sets);
     a["clamping"] = o.clamping;
@@ -223,7 +235,7 @@ void describe(const JobOptions& o, Attributes& a) {
 
 void describe(const JobOptions& o, nlohmann::ordered_json& json) {
   json["integrator"] = o.integrator;
-  json["sampler"] = o.sampler;
+  describe_sampler("sampler", o.sampler, json);
   json["samples"] = o.samples_a_pixel();
   json["seed"] = o.seed;
   json["pixel_samples"] = o.position;
@@ -234,7 +246,7 @@ void describe(const JobOptions& o, nlohmann::ordered_json& json) {
   if (o.indirect) json["light"] = "indirect";
   if (o.integrator == "path") return;
   if (o.integrator == "igi") {
-    json["path_sampler"] = o.path_sampler.empty() ? o.sampler : o.path_sampler;
+    describe_sampler("path_sampler", o.path_sampler.empty() ? o.sampler : o.path_sampler, json);
     json["paths"] = o.paths;
     json["sets"] = o.sets;
     json["clamping"] = o.clamping;

@@ -9,11 +9,11 @@
 #include "base/file.h"
 #include "cli/cold_explain.h"
 #include "cli/positive.h"
+#include "cli/study_samplers.h"
 #include "cli/verbs.h"
 #include "reference/reference.h"
 #include "render/features.h"
 #include "render/renderer.h"
-#include "sampling/sampler.h"
 #include "scene/scene.h"
 #include "study/format.h"
 #include "study/scene_facts.h"
@@ -93,29 +93,9 @@ std::vector<std::uint32_t> splits_of(std::uint32_t combined) {
   return counts;
 }
 
-std::vector<std::string> default_samplers(Integral integral) {
-  if (integral == Integral::splitting)
-    return {"capcon", "capcon-naive", "capcon-naive2", "capcon-domain", "sobol-xor", "sobol-owen"};
-  if (integral == Integral::global_illumination)
-    return {"random", "sobol-xor", "sobol-owen", "halton", "capcon", "capcon-naive", "fpo", "capcon-domain"};
-  return default_study_samplers();
-}
-
-void check_samplers(StudySettings& s) {
-  if (s.samplers.empty()) s.samplers = default_samplers(s.integral);
-  for (std::size_t i = 0; i < s.samplers.size(); ++i) {
-    const std::string& name = s.samplers[i];
-    // An unknown name is told before the work.
-    make_sampler(has_variants(s.integral) ? parse_variant(name).sampler : name, 1, 1);
-    const auto before = s.samplers.begin() + static_cast<std::ptrdiff_t>(i);
-    if (std::find(s.samplers.begin(), before, name) != before)
-      throw InputError(fmt::format("--samplers names {} twice", name));
-  }
-}
-
 void run(Options& o) {
   StudySettings& s = o.settings;
-  check_samplers(s);
+  settle_samplers(s);
   s.position = o.position == "jittered" ? PixelPosition::jittered : PixelPosition::centre;
   s.samples = s.integral == Integral::splitting ? splits_of(s.combined) : parse_samples(o.samples);
   s.clamping = o.clamping == "none"    ? Clamping::none
@@ -129,6 +109,7 @@ void run(Options& o) {
   const Job example = make_job(s, {s.samplers.front(), s.samples.front(), 1});
   make_job(s, {s.samplers.front(), s.samples.back(), 1});  // what cannot be is told before the work
   make_reference_job(s, 0);
+  check_point_files(s);
   Scene scene = read_scene(scene_path, needed_reading(example, false));
   if (!o.runner.quiet) {
     for (const std::string& warning : scene.warnings) fmt::print(stderr, "capcon: warning: {}\n", warning);
@@ -215,9 +196,11 @@ void add_options(CLI::App* study, const std::shared_ptr<Options>& o) {
 
 void add_samples(CLI::App* study, const std::shared_ptr<Options>& o) {
   study
-      ->add_option("--samplers", o->settings.samplers,
-                   "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton "
-                   "lattice pmj02 (default: all but the last four)")
+      ->add_option(
+          "--samplers", o->settings.samplers,
+          "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton "
+          "lattice pmj02 (default: all but the last four), and file:PATH[:shift|xor|none][:sequence] "
+          "for your own points")
       ->delimiter(',')
       ->allow_extra_args(false);
   study->add_option("--samples", o->samples, "samples a pixel: counts and doubling ranges")
@@ -229,9 +212,11 @@ void add_variants(CLI::App* study, const std::shared_ptr<Options>& o, const std:
   study
       ->add_option(
           "--samplers", o->settings.samplers,
-          fmt::format("samplers; X-naive: X without partition, X-naive2: the same with twice the points "
-                      "(default: {})",
-                      standard))
+          fmt::format(
+              "samplers, or file:PATH; X-naive: X without partition, X-naive2: the same with twice the "
+              "points "
+              "(default: {})",
+              standard))
       ->delimiter(',')
       ->allow_extra_args(false);
 }

@@ -12,7 +12,7 @@
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "points/generators.h"
-#include "sampling/sampler.h"
+#include "sampling/point_file.h"
 
 namespace capcon::integrate {
 namespace {
@@ -120,17 +120,21 @@ const std::vector<Estimator>& estimators() {
   return all;
 }
 
-const Estimator& find_estimator(std::string_view name) {
+Estimator find_estimator(std::string_view name, const std::map<std::string, std::string>& point_files) {
+  const auto file = point_files.find(std::string(name));
+  if (file != point_files.end()) return {file->first, file->second, Weights::equal};
   std::vector<std::string> names;
   for (const Estimator& estimator : estimators()) {
     if (estimator.name == name) return estimator;
     names.push_back(estimator.name);
   }
-  throw InputError(fmt::format("there is no estimator \"{}\"; choose of: {}", name, fmt::join(names, " ")));
+  throw InputError(
+      fmt::format("there is no estimator \"{}\"; choose of: {}, or file:PATH", name, fmt::join(names, " ")));
 }
 
 std::unique_ptr<PointSource> make_source(const std::string& method, std::uint32_t n, std::uint64_t seed) {
-  if (method == "capcon" || method == "pmj02") return std::make_unique<SamplerSource>(method, n, seed);
+  if (method == "capcon" || method == "pmj02" || is_point_file(method))
+    return std::make_unique<SamplerSource>(method, n, seed);
   if (has_own_randomness(method)) return std::make_unique<FreshSource>(method, n, seed);
   return std::make_unique<ShiftedSource>(method, n, seed);
 }
@@ -140,6 +144,13 @@ std::uint32_t base_sets(std::uint32_t n) {
 }
 
 std::string randomisation_of(const std::string& method) {
+  if (is_point_file(method)) {
+    using enum PointFile::Randomisation;
+    const PointFile::Randomisation how = parse_point_file(method).randomisation;
+    if (how == none) return "another of the file's sets, as it is";
+    return how == shift ? "one of the file's sets, a random shift on the torus"
+                        : "one of the file's sets, another digit scrambling";
+  }
   if (method == "capcon") return "another stochastic tiling and a random shift on the torus";
   if (method == "pmj02") return "another of 64 sequences or fewer, and another digit scrambling";
   if (method == "sobol-xor") return "another digit scrambling";

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -29,7 +30,9 @@ struct Estimator {
 /// random, importance, random-areas, every other method of generator_names(), capcon, pmj02, and for each of
 /// ccvt, fpo and lloyd that there is, the same points with areas as weights.
 const std::vector<Estimator>& estimators();
-const Estimator& find_estimator(std::string_view name);  ///< InputError with the names there are
+/// Also one of `point_files`, files of points as samplers by their labels ("mine": "file:mine.txt"), whose
+/// method is the sampler. InputError with the names there are.
+Estimator find_estimator(std::string_view name, const std::map<std::string, std::string>& point_files = {});
 
 /// Randomised sets of n points of one method.
 class PointSource {
@@ -45,8 +48,8 @@ class PointSource {
 
 /// random, jittered and Sobol' points under their own scrambling are made anew for each trial; capcon's
 /// tilings too, with a rotation as in the renderer, and pmj02's choice of a sequence and its digit
-/// scrambling. All others are base sets, made once, that each trial shifts on the torus: trial t takes base
-/// set t mod base_sets(n).
+/// scrambling, and the sets of a file. All others are base sets, made once, that each trial shifts on the
+/// torus: trial t takes base set t mod base_sets(n).
 std::unique_ptr<PointSource> make_source(const std::string& method, std::uint32_t n, std::uint64_t seed);
 
 /// How many different base sets stand behind the trials at n points: 8, fewer above 256 points, at least 2.

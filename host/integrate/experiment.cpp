@@ -12,6 +12,7 @@
 #include "base/progress.h"
 #include "integrate/costs.h"
 #include "integrate/trials.h"
+#include "sampling/point_file.h"
 
 namespace capcon::integrate {
 namespace {
@@ -118,6 +119,17 @@ Sample collect(const std::vector<Outcome>& outcomes, std::size_t first, std::siz
   return sample;
 }
 
+/// Files of points get the names that tables can hold; that one has too few is told before the work.
+void name_point_files(Settings& settings) {
+  const std::vector<std::string> labels = sampler_labels(settings.estimators);
+  for (std::size_t e = 0; e < labels.size(); ++e) {
+    if (!is_point_file(settings.estimators[e])) continue;
+    for (const std::uint32_t n : settings.counts) make_sampler(settings.estimators[e], n, 1);
+    settings.point_files[labels[e]] = settings.estimators[e];
+  }
+  settings.estimators = labels;
+}
+
 Settings completed(Settings settings) {
   if (settings.randomisations < 2)
     throw InputError("an error needs at least 2 randomisations to be measured");
@@ -136,7 +148,8 @@ Settings completed(Settings settings) {
   check(settings.integrands, "--integrands");
   check(settings.estimators, "--estimators");
   for (const std::string& name : settings.integrands) find_integrand(name);
-  for (const std::string& name : settings.estimators) find_estimator(name);
+  name_point_files(settings);
+  for (const std::string& name : settings.estimators) find_estimator(name, settings.point_files);
   return settings;
 }
 
@@ -149,7 +162,7 @@ struct Group {
 std::vector<Group> group_by_method(const Settings& settings) {
   std::vector<Group> groups;
   for (std::size_t e = 0; e < settings.estimators.size(); ++e) {
-    const std::string& method = find_estimator(settings.estimators[e]).method;
+    const std::string& method = find_estimator(settings.estimators[e], settings.point_files).method;
     auto group =
         std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.method == method; });
     if (group == groups.end()) group = groups.insert(groups.end(), {method, {}});
@@ -176,6 +189,9 @@ Experiment run_experiment(Settings wanted) {
   const Settings& settings = experiment.settings;
   const std::vector<Problem> problems = make_problems(settings);
   const std::vector<Group> groups = group_by_method(settings);
+  std::vector<Estimator> chosen;
+  for (const std::string& name : settings.estimators)
+    chosen.push_back(find_estimator(name, settings.point_files));
   experiment.samples.resize(problems.size() * settings.estimators.size() * settings.counts.size());
   experiment.costs.resize(experiment.samples.size());
   Progress progress("integrate", static_cast<double>(groups.size() * settings.counts.size()), settings.quiet);
@@ -193,8 +209,7 @@ Experiment run_experiment(Settings wanted) {
             TrialPoints points(*source, trial);
             for (std::size_t k = 0; k < width; ++k) {
               const Problem& problem = problems[k / group.members.size()];
-              const Estimator& estimator =
-                  find_estimator(settings.estimators[group.members[k % group.members.size()]]);
+              const Estimator& estimator = chosen[group.members[k % group.members.size()]];
               if (applies(estimator, problem.integrand))
                 outcomes[trial * width + k] = run_trial(problem, estimator, points, trial);
             }
@@ -204,7 +219,7 @@ Experiment run_experiment(Settings wanted) {
       for (std::size_t k = 0; k < width; ++k) {
         const Problem& problem = problems[k / group.members.size()];
         const std::size_t e = group.members[k % group.members.size()];
-        const Estimator& estimator = find_estimator(settings.estimators[e]);
+        const Estimator& estimator = chosen[e];
         const std::size_t at = experiment.index(k / group.members.size(), e, c);
         if (!applies(estimator, problem.integrand)) {
           experiment.samples[at].bound.missing = problem.integrand.no_importance;

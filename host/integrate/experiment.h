@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace capcon::integrate {
 
 struct Settings {
   std::vector<std::string> integrands;  ///< names; empty: all
-  std::vector<std::string> estimators;  ///< names; empty: all
+  std::vector<std::string> estimators;  ///< names, "file:PATH" for a file of points; empty: all
+  std::map<std::string, std::string> point_files = {};  ///< of an Experiment: see find_estimator
   std::vector<std::uint32_t> counts = {4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096};
   std::uint32_t randomisations = 1000;  ///< trials per integrand, estimator and count up to kFullCount points
   std::uint64_t seed = 1;

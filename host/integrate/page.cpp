@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "integrate/columns.h"
 #include "integrate/report.h"
+#include "sampling/point_file.h"
 #include "study/format.h"
 #include "study/html.h"
 #include "study/report.h"
@@ -44,10 +45,10 @@ std::string methods_section(const Experiment& experiment) {
   std::set<std::string> methods;
   std::string randomisations;
   for (const std::string& name : s.estimators) {
-    const std::string method = find_estimator(name).method;
+    const std::string method = find_estimator(name, s.point_files).method;
     if (methods.insert(method).second) {
       randomisations += fmt::format("{}<code>{}</code>: {}", randomisations.empty() ? "" : "; ",
-                                    escape(method), escape(randomisation_of(method)));
+                                    escape(sampler_label(method)), escape(randomisation_of(method)));
     }
   }
   term("Randomisations", fmt::format("{} for every error up to n = {}, above it fewer in proportion; seed "

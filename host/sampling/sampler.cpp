@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "sampling/address.h"
 #include "sampling/bits.h"
+#include "sampling/point_file.h"
 #include "sampling/samplers.h"
 
 namespace capcon {
@@ -71,11 +72,13 @@ std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count
   if (count == 0) throw InputError("the number of samples must be at least 1");
   if (parts == 0 || count % parts != 0)
     throw InputError(fmt::format("{} points cannot be cut into {} equal parts", count, parts));
+  if (is_point_file(name)) return make_point_file_sampler(name, count, seed, parts);
   for (const auto& [known, maker] : makers()) {
     if (known == name) return maker(count, seed, parts);
   }
   throw InputError(
-      fmt::format("there is no sampler \"{}\"; choose one of: {}", name, fmt::join(sampler_names(), " ")));
+      fmt::format("there is no sampler \"{}\"; choose one of: {}; or file:PATH for your own points", name,
+                  fmt::join(sampler_names(), " ")));
 }
 
 }  // namespace capcon

@@ -30,10 +30,16 @@ std::vector<PlannedRun> plan_runs(const StudySettings& settings) {
 
 namespace {
 
+/// What make_sampler calls it.
+const std::string& sampler_of(const StudySettings& settings, const std::string& name) {
+  const auto file = settings.point_files.find(name);
+  return file == settings.point_files.end() ? name : file->second.sampler;
+}
+
 DirectLightingJob direct_job(const StudySettings& settings, std::uint32_t image, std::uint32_t points,
                              const std::string& sampler, std::uint32_t seed) {
   DirectLightingJob job;
-  job.sampler = sampler;
+  job.sampler = sampler_of(settings, sampler);
   job.image_samples = image;
   job.integrator_samples = points;
   job.seed = seed;
@@ -46,7 +52,7 @@ GlobalIlluminationJob global_illumination_job(const StudySettings& settings, con
                                               std::uint32_t sets, std::uint32_t seed) {
   GlobalIlluminationJob job;
   job.direct = direct_job(settings, 1, 1, kReferenceSampler, seed);
-  job.sampler = variant.sampler;
+  job.sampler = sampler_of(settings, variant.sampler);
   job.partition = variant.partition;
   job.paths = variant.factor * settings.paths;
   job.sets = sets;
@@ -62,7 +68,8 @@ GlobalIlluminationJob global_illumination_job(const StudySettings& settings, con
 
 Job make_job(const StudySettings& settings, const PlannedRun& run) {
   if (settings.integral == Integral::ambient_occlusion)
-    return AmbientOcclusionJob{settings.radius, run.sampler, run.samples, run.seed, settings.position};
+    return AmbientOcclusionJob{settings.radius, sampler_of(settings, run.sampler), run.samples, run.seed,
+                               settings.position};
   if (settings.integral == Integral::direct)
     return direct_job(settings, 1, run.samples, run.sampler, run.seed);
   const Variant variant = parse_variant(run.sampler);
@@ -114,6 +121,10 @@ nlohmann::json to_json(const StudySettings& s) {
       {"reference_groups", s.reference_groups},
       {"close_ups", s.close_ups},
       {"command", s.command}};
+  for (const auto& [name, file] : s.point_files) {
+    json["point_files"][name] = {{"sampler", file.sampler},
+                                 {"fingerprint", fmt::format("{:016x}", file.fingerprint)}};
+  }
   if (s.integral == Integral::global_illumination) {
     json["paths"] = s.paths;
     json["limit"] = s.limit;

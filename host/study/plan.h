@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -28,6 +29,13 @@ struct StudySettings {
   double limit = 0;                                ///< of the geometry term; 0: by the scene's size
   PixelPosition position = PixelPosition::centre;  ///< of image samples
   std::vector<std::string> samplers;
+  /// Of samplers that are files of points ("file:mine.txt"): by what the study calls them ("mine") what they
+  /// are, and a hash of the file.
+  struct PointFile {
+    std::string sampler;
+    std::uint64_t fingerprint = 0;
+  };
+  std::map<std::string, PointFile> point_files;
   std::vector<std::uint32_t> samples = {
       1, 2, 4, 8, 16, 32, 64, 128, 256};   ///< splitting: P, divisors of N; global illumination: S
   std::uint32_t seeds = 8;                 ///< 1 ... seeds

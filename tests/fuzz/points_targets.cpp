@@ -47,6 +47,10 @@ void read_points_binary(std::string_view bytes) {
   check_sets(parse_binary_points(bytes, "f.bin"));
 }
 
+void read_points_npy(std::string_view bytes) {
+  check_sets(parse_npy_points(bytes, "f.npy"));
+}
+
 void read_formula(std::string_view bytes) {
   const Formula formula(bytes);
   for (const double x : {0.0, 0.5, 1.0}) formula(x, 1 - x / 3);

@@ -13,7 +13,7 @@ constexpr Target kTargets[] = {
     {"merl", read_merl},       {"spectrum", read_spectrum},
     {"exr", read_exr_image},   {"png", read_png_image},
     {"partial", read_partial}, {"points", read_points_text},
-    {"csv", read_points_csv},  {"utk", read_points_binary},
+    {"csv", read_points_csv},  {"utk", read_points_binary}, {"npy", read_points_npy},
     {"formula", read_formula}, {"ensembles", read_ensembles},
     {"tiles", read_tiles},     {"parts", read_parts},
     {"runs", read_study_runs}, {"sealed", read_sealed},

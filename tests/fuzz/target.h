@@ -44,6 +44,7 @@ void read_partial(std::string_view bytes);
 void read_points_text(std::string_view bytes);
 void read_points_csv(std::string_view bytes);
 void read_points_binary(std::string_view bytes);
+void read_points_npy(std::string_view bytes);
 void read_formula(std::string_view bytes);
 void read_ensembles(std::string_view bytes);
 void read_tiles(std::string_view bytes);

@@ -112,5 +112,51 @@ TEST(Import, GoesByTheEnding) {
   std::filesystem::remove_all(folder);
 }
 
+/// As NumPy 1.24 writes it: the header is padded to 64 bytes.
+std::string npy(const std::string& type, const std::string& shape, const std::string& data,
+                const std::string& order = "False") {
+  std::string header = "{'descr': '" + type + "', 'fortran_order': " + order + ", 'shape': " + shape + ", }";
+  header.resize((10 + header.size() + 1 + 63) / 64 * 64 - 10 - 1, ' ');
+  header += '\n';
+  return std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(header.size() & 255) +
+         static_cast<char>(header.size() >> 8) + header + data;
+}
+
+template <class Number>
+std::string bytes_of(std::initializer_list<Number> numbers) {
+  return {reinterpret_cast<const char*>(numbers.begin()), numbers.size() * sizeof(Number)};
+}
+
+TEST(ImportNpy, ReadsOneSetOrSeveral) {
+  const std::string four = bytes_of<double>({0.25, 0.5, 1, 0.75, 0.125, 0, 0.5, 0.5});
+  const Points points{{0.25, 0.5}, {0, 0.75}, {0.125, 0}, {0.5, 0.5}};
+  EXPECT_EQ(parse_npy_points(npy("<f8", "(4, 2)", four), "p.npy"), std::vector<Points>{points});
+  EXPECT_EQ(parse_npy_points(npy("<f8", "(2, 2, 2)", four), "p.npy"),
+            (std::vector<Points>{{points[0], points[1]}, {points[2], points[3]}}));
+  EXPECT_EQ(parse_npy_points(npy("<f4", "(1, 2)", bytes_of<float>({0.5f, 0.25f})), "p.npy"),
+            (std::vector<Points>{{{0.5, 0.25}}}));
+}
+
+TEST(ImportNpy, SaysWhatIsWrong) {
+  const std::string two = bytes_of<double>({0, 0.5});
+  const auto message = [](const std::string& bytes) -> std::string {
+    try {
+      parse_npy_points(bytes, "p.npy");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(message("0 0\n"), testing::HasSubstr("is no array of NumPy's"));
+  EXPECT_THAT(message(npy("<i8", "(1, 2)", two)), testing::HasSubstr("must hold float32 or float64"));
+  EXPECT_THAT(message(npy("<f8", "(2,)", two)), testing::HasSubstr("must be of shape"));
+  EXPECT_THAT(message(npy("<f8", "(2, 1)", two)), testing::HasSubstr("must be of shape"));
+  EXPECT_THAT(message(npy("<f8", "(1, 2)", two, "True")), testing::HasSubstr("Fortran's order"));
+  EXPECT_THAT(message(npy("<f8", "(3, 2)", two)), testing::HasSubstr("has 16 bytes behind its header"));
+  EXPECT_THAT(message(npy("<f8", "(0, 2)", "")), testing::HasSubstr("holds no points"));
+  EXPECT_THAT(message(npy("<f8", "(1, 2)", bytes_of<double>({0, 1.5}))),
+              testing::HasSubstr("set 1, point 1: 1.5 is not in [0, 1]"));
+}
+
 }  // namespace
 }  // namespace capcon
