@@ -14,6 +14,7 @@
 #include "cli/profile_table.h"
 #include "cli/verbs.h"
 #include "cli/virtual_lights_option.h"
+#include "distributed/share_renderer.h"
 #include "image/exr_rows.h"
 #include "image/partial_image.h"
 #include "reference/reference.h"
@@ -38,6 +39,7 @@ struct Options {
   RendererOptions renderer;
   int width = 0, height = 0;
   bool json = false, quiet = false, profile = false, explain = false;
+  int processes = 1;  ///< that make the image together
 };
 
 /// EXR attributes in pbrt-v4's names, and ours besides.
@@ -49,6 +51,7 @@ Attributes attributes_of(const Options& o, const RenderResult& result, const Tim
   a["device"] = result.device;
   a["timings"] = to_json(timings).dump();
   a["software"] = "capcon " + std::string(version());
+  if (o.processes > 1) a["processes"] = o.processes;
   return a;
 }
 
@@ -72,8 +75,10 @@ struct Outcome {
 
 /// Everything that makes the image what it is.
 std::uint64_t job_key(const Options& o, const Scene& scene, const std::string& device) {
-  return fnv1a64(fmt::format("{} {:016x} {} {} {} {} {}", version(), fingerprint(scene), points_fingerprint(),
-                             scene.film.width, scene.film.height, o.job.key(), device));
+  const std::string together = o.processes > 1 ? fmt::format(" by {} processes", o.processes) : "";
+  return fnv1a64(fmt::format("{} {:016x} {} {} {} {} {}{}", version(), fingerprint(scene),
+                             points_fingerprint(), scene.film.width, scene.film.height, o.job.key(), device,
+                             together));
 }
 
 void merge(const Timings& from, Timings& into) {
@@ -83,11 +88,11 @@ void merge(const Timings& from, Timings& into) {
 
 /// An image too large to be held: rows go to a file beside the output as they come, and from there into the
 /// image. A run that was stopped goes on where it was.
-Outcome render_large(const Options& o, const Job& job, const Scene& scene, Renderer& renderer,
+Outcome render_large(const Options& o, const Scene& scene, ShareRenderer& renderer, nlohmann::json device,
                      Timings timings, Clock::time_point start) {
   const int width = scene.film.width, height = scene.film.height;
   const int rows = std::max(1, static_cast<int>(kBandPixels) / width);
-  Outcome outcome{{}, std::move(timings), renderer.device_info()};
+  Outcome outcome{{}, std::move(timings), std::move(device)};
   PartialImage partial(o.output + ".partial", job_key(o, scene, outcome.device.at("name")), width, height,
                        o.job.channels());
   if (partial.row_count() > 0 && !o.quiet) {
@@ -106,7 +111,7 @@ Outcome render_large(const Options& o, const Job& job, const Scene& scene, Rende
     if (partial.has(first, count)) continue;
     RenderResult band;
     try {
-      band = renderer.render_rows(job, first, count,
+      band = renderer.render_rows(first, count,
                                   [&](double fraction) { progress.update(first + fraction * count); });
     } catch (const Failure& failure) {
       throw Failure(fmt::format("{}; {}", failure.what(), kept()));
@@ -160,25 +165,37 @@ void show_lights(const Options& o, const Job& job, const Scene& scene, const Ima
   write_lights(o.lights, scene, std::get<GlobalIlluminationJob>(job), image, tracer);
 }
 
-Outcome render(const Options& o, const Job& job, Scene& scene, PendingDevice device, Timings timings,
-               Clock::time_point start) {
-  if (o.renderer.device != "reference") {
-    Renderer renderer(scene, o.renderer, std::move(device), &job);
-    say(o, renderer.warnings());
-    merge(renderer.setup(), timings);
-    const bool exr = std::filesystem::path(o.output).extension() == ".exr";
-    if (exr && std::size_t(scene.film.width) * scene.film.height > kBandPixels && o.lights.empty()) {
-      return render_large(o, job, scene, renderer, std::move(timings), start);
-    }
-    Progress progress("rendering", 1, o.quiet);
-    Outcome outcome{{}, std::move(timings), renderer.device_info()};
-    if (needs_image(o))
-      outcome.result = renderer.render(job, [&](double fraction) { progress.update(fraction); });
-    merge(outcome.result.timings, outcome.timings);
-    show_lights(o, job, scene, outcome.result.image, renderer);
-    write(o, outcome, start);
+Outcome render_on_device(const Options& o, const Job& job, Scene& scene, PendingDevice device,
+                         Timings timings, Clock::time_point start, const Ranks& ranks) {
+  Renderer renderer(scene, o.renderer, std::move(device), &job);
+  say(o, renderer.warnings());
+  merge(renderer.setup(), timings);
+  ShareRenderer together(ranks, job, [&](const Job& share, int first, int rows, const auto& on_progress) {
+    return renderer.render_rows(share, first, rows, on_progress);
+  });
+  Outcome outcome{{}, std::move(timings), renderer.device_info()};
+  if (!ranks.first()) {
+    together.help();
     return outcome;
   }
+  const bool exr = std::filesystem::path(o.output).extension() == ".exr";
+  if (exr && std::size_t(scene.film.width) * scene.film.height > kBandPixels && o.lights.empty())
+    return render_large(o, scene, together, outcome.device, std::move(outcome.timings), start);
+  Progress progress("rendering", 1, o.quiet);
+  if (needs_image(o)) {
+    outcome.result =
+        together.render_rows(0, scene.film.height, [&](double fraction) { progress.update(fraction); });
+  }
+  merge(outcome.result.timings, outcome.timings);
+  show_lights(o, job, scene, outcome.result.image, renderer);
+  write(o, outcome, start);
+  return outcome;
+}
+
+Outcome render(const Options& o, const Job& job, Scene& scene, PendingDevice device, Timings timings,
+               Clock::time_point start, const Ranks& ranks) {
+  if (o.renderer.device != "reference")
+    return render_on_device(o, job, scene, std::move(device), std::move(timings), start, ranks);
   const Reference reference(scene);
   Progress progress("rendering", 1, o.quiet);
   Outcome outcome{{}, std::move(timings), {{"name", "reference"}}};
@@ -202,6 +219,7 @@ nlohmann::ordered_json report(const Options& o, const Scene& scene, const Outcom
                                  {"height", scene.film.height}};
   describe(o.job, json);
   json["device"] = outcome.device;
+  if (o.processes > 1) json["processes"] = o.processes;
   json["rays"] = outcome.result.rays;
   if (outcome.result.virtual_lights > 0) json["virtual_lights"] = outcome.result.virtual_lights;
   json["device_seconds"] = traced;
@@ -218,13 +236,26 @@ void run_explain(const Options& o) {
     throw Failure("the image differs when everything is kept: this is a defect, please report it");
 }
 
-void run(const Options& o) {
+/// What several processes together cannot do; all but the first keep silent.
+void join(Options& o, const Ranks& ranks) {
+  if (ranks.alone()) return;
+  o.processes = ranks.size();
+  if (o.explain) throw InputError("--explain is about one process: leave out mpirun");
+  if (o.renderer.device == "reference")
+    throw InputError("the reference renders in one process: leave out mpirun, or --device reference");
+  o.renderer.device = device_of_rank(o.renderer.device, ranks.on_this_machine());
+  if (!ranks.first()) o.quiet = true;
+}
+
+void run(Options& o) {
   const auto start = Clock::now();
+  const Ranks ranks;
+  join(o, ranks);
   if (o.width < 0 || o.height < 0 || o.width > 16384 || o.height > 16384) {
     throw InputError("--width and --height must be between 1 and 16384");
   }
   const Job job = o.job.job();
-  check(o, job);
+  if (ranks.first()) check(o, job);
   const bool on_reference = o.renderer.device == "reference";
   if (o.explain) {
     if (on_reference) throw InputError("--explain is about a Vulkan device; leave out --device reference");
@@ -239,7 +270,8 @@ void run(const Options& o) {
   say(o, scene.warnings);
   Timings timings;
   timings.wall["read"] = seconds_since(start);
-  const Outcome outcome = render(o, job, scene, std::move(device), std::move(timings), start);
+  const Outcome outcome = render(o, job, scene, std::move(device), std::move(timings), start, ranks);
+  if (!ranks.first()) return;
   const double seconds = seconds_since(start);
   const double first_dispatch = std::chrono::duration<double>(outcome.result.first_dispatch - start).count();
   if (o.profile && !o.quiet)
