@@ -9,13 +9,16 @@
 #include "base/file.h"
 #include "cli/cold_explain.h"
 #include "cli/positive.h"
+#include "cli/study_parts.h"
 #include "cli/study_samplers.h"
 #include "cli/verbs.h"
+#include "distributed/share_renderer.h"
 #include "reference/reference.h"
 #include "render/features.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 #include "study/format.h"
+#include "study/ranks_study.h"
 #include "study/scene_facts.h"
 #include "study/study.h"
 #include "study/study_lock.h"
@@ -37,6 +40,7 @@ struct Options {
   std::string samples = "1,2,4..256";
   std::string position = "centre", clamping = "compensate";
   std::string device = "best";
+  StudyParts parts;
   bool no_close_ups = false;
   bool json = false;
 };
@@ -93,7 +97,11 @@ std::vector<std::uint32_t> splits_of(std::uint32_t combined) {
   return counts;
 }
 
-void run(Options& o) {
+/// The study.json; empty where others make it.
+nlohmann::json work(Options& o, const Ranks& ranks, const std::optional<Baseline>& baseline) {
+  o.parts.check(ranks);
+  if (!ranks.first()) o.runner.quiet = true;
+  o.device = device_of_rank(o.device, ranks.on_this_machine());
   StudySettings& s = o.settings;
   settle_samplers(s);
   s.position = o.position == "jittered" ? PixelPosition::jittered : PixelPosition::centre;
@@ -124,23 +132,38 @@ void run(Options& o) {
   s.width = scene.film.width;
   s.height = scene.film.height;
 
+  if (baseline) check_comparable(*baseline, to_json(s));
   o.runner.directory = o.directory;
-  const StudyLock alone(o.directory);
-  std::optional<Explanation> explanation;
   const bool shading = s.integral != Integral::ambient_occlusion;
+  const MakeStudyDevice make = [&](int width, int height) {
+    return make_device(scene, o.device, shading, width, height);
+  };
+  if (o.parts.is_part()) {
+    run_part(o.parts, s, make, o.runner, ranks);
+    return {};
+  }
+  std::optional<StudyLock> alone;
+  if (ranks.first()) alone.emplace(o.directory);
+  std::optional<StudyResult> merged;
+  if (!ranks.alone()) {
+    merged = run_by_ranks(s, make(s.width, s.height), o.runner, ranks);
+    if (!merged) return {};  // not the first rank
+  }
+  std::optional<Explanation> explanation;
   if (o.device != "reference") {
     RendererOptions options;
     options.device = o.device;
     const Job job = make_job(s, {s.samplers.front(), s.samples[s.samples.size() / 2], 1});
     explanation = cold_explain(scene_path, s.width, s.height, job, options, 3);
   }
-  const StudyReport report = study_report(
-      s, [&](int width, int height) { return make_device(scene, o.device, shading, width, height); },
-      o.runner, explanation);
+  StudyReport report = merged ? make_report(std::move(*merged), make, o.runner, explanation)
+                              : study_report(s, make, o.runner, explanation);
+  let_go(ranks);
+  const std::string lines = hold_against(baseline, report.json);
   if (o.json) {
     fmt::print("{}\n", report.json.dump(2));
   } else {
-    fmt::print("{}", text_tables(report.result, report.figures));
+    fmt::print("{}{}", text_tables(report.result, report.figures), lines);
   }
   if (!o.runner.quiet) {
     if (!report.result.moved.empty()) {
@@ -154,6 +177,18 @@ void run(Options& o) {
     fmt::print(stderr, "The report is {}\n",
                std::filesystem::absolute(report.page).lexically_normal().string());
   }
+  return report.json;
+}
+
+void run(Options& o) {
+  std::optional<Baseline> baseline;
+  if (!o.parts.baseline.empty()) baseline = read_baseline(o.parts.baseline);
+  nlohmann::json study;
+  {
+    const Ranks ranks;  // left before anything is judged
+    study = work(o, ranks, baseline);
+  }
+  judge(baseline, study);
 }
 
 /// What all studies take.
@@ -187,6 +222,7 @@ void add_options(CLI::App* study, const std::shared_ptr<Options>& o) {
                    fmt::format("{} of each of the reference's 4 groups", words_of(s.integral).counts))
       ->check(CLI::Range(1u, 1u << 20))
       ->capture_default_str();
+  o->parts.add_to(*study);
   study->add_flag("--no-close-ups", o->no_close_ups, "leave the larger pictures out of the report");
   study->add_flag("--fresh", o->runner.fresh, "measure again what is already there");
   study->add_flag("--json", o->json, "print study.json instead of tables");

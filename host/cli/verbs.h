@@ -16,6 +16,7 @@ void add_compare_verb(CLI::App& app);
 void add_bench_verb(CLI::App& app);
 void add_info_verb(CLI::App& app);
 void add_study_verb(CLI::App& app);
+void add_merge_verb(CLI::App& app);
 void add_integrate_verb(CLI::App& app);
 void add_stability_verb(CLI::App& app);
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "study/clocks.h"
+
 namespace capcon {
 namespace {
 
@@ -26,7 +28,7 @@ double geometric_mean_of(const std::vector<double>& values, Kept kept) {
 
 /// An MSE estimate can fall to zero or below when the reference's error is taken off: then there is no
 /// logarithm, and the cell is not sure anyway.
-std::vector<Column> columns_of(const StudyResult& result, const std::string& sampler) {
+std::vector<Column> columns_of(const StudyResult& result, const Clocks& clocks, const std::string& sampler) {
   std::map<std::uint32_t, std::map<std::uint32_t, const RunRecord*>> found;  // samples, seed
   for (const RunRecord& r : result.records) {
     if (r.run.sampler == sampler) found[r.run.samples][r.run.seed] = &r;
@@ -38,10 +40,12 @@ std::vector<Column> columns_of(const StudyResult& result, const std::string& sam
     c.samples = samples;
     for (const auto& [seed, r] : seeds) {
       c.mse.push_back(r->mse - result.reference.error);
-      c.device.push_back(std::max(kShortest, r->device_seconds));
-      c.wall.push_back(std::max(kShortest, r->wall_seconds));
-      c.without_points.push_back(std::max(kShortest, r->wall_seconds - r->point_generation_seconds));
-      c.points.push_back(r->point_generation_seconds);
+      const double factor = clocks.factor(*r);
+      const auto time = [&](double seconds) { return std::max(kShortest, factor * seconds); };
+      c.device.push_back(time(r->device_seconds));
+      c.wall.push_back(time(r->wall_seconds));
+      c.without_points.push_back(time(r->wall_seconds - r->point_generation_seconds));
+      c.points.push_back(factor * r->point_generation_seconds);
     }
     const bool positive = std::all_of(c.mse.begin(), c.mse.end(), [](double v) { return v > 0; });
     c.sure = positive && mean(c.mse) >= kReferenceMargin * result.reference.error;
@@ -164,9 +168,11 @@ const Cell* find_cell(const Curve& curve, std::uint32_t samples) {
 Figures make_figures(const StudyResult& result) {
   Figures figures;
   figures.reference_error = result.reference.error;
+  const Clocks clocks(result);
+  figures.clocks = clocks.sentence();
   std::map<std::string, std::vector<Column>> columns;
   for (const std::string& sampler : result.settings.samplers) {
-    columns[sampler] = columns_of(result, sampler);
+    columns[sampler] = columns_of(result, clocks, sampler);
     figures.curves.push_back(curve_of(sampler, columns[sampler]));
   }
   for (const std::string baseline : {"sobol-xor", "sobol-owen"}) {
@@ -192,6 +198,10 @@ Figures make_figures(const StudyResult& result) {
       ratio.baseline = variant.sampler;
       if (!figures.ratio(name, variant.sampler, ratio.samples)) figures.ratios.push_back(ratio);
     }
+  }
+  if (!clocks.comparable()) {
+    for (Ratio& ratio : figures.ratios) ratio.equal_time = {kUnknown, kUnknown, kUnknown};
+    for (Curve& curve : figures.curves) curve.time_slope = {kUnknown, kUnknown, kUnknown};
   }
   return figures;
 }

@@ -53,7 +53,8 @@ struct Figures {
   std::vector<Ratio> ratios;
   std::vector<std::string> baselines;  ///< those of sobol-xor and sobol-owen that were measured
   double reference_error = 0;
-  Noise noise;  ///< of studies that keep the images of their runs
+  std::string clocks;  ///< Clocks::sentence()
+  Noise noise;         ///< of studies that keep the images of their runs
 
   const Curve* curve(const std::string& sampler) const;
   const Ratio* ratio(const std::string& sampler, const std::string& baseline, std::uint32_t samples) const;

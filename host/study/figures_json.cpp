@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "study/clocks.h"
 #include "study/coarse.h"
 #include "study/figures.h"
 #include "study/findings.h"
@@ -82,6 +83,7 @@ json to_json(const StudyResult& result, const Figures& figures) {
                   {"margin", kReferenceMargin}}},
                 {"curves", curves},
                 {"ratios", ratios}};
+  if (const Clocks clocks(result); clocks.several()) whole["clocks"] = to_json(clocks);
   if (!figures.noise.cells.empty()) whole["noise"] = noise_json(figures.noise);
   return whole;
 }

@@ -69,6 +69,7 @@ std::string html_report(const StudyResult& result, const Figures& figures,
     html += fmt::format("<section id=\"{}\"><h2>{}</h2>\n{}</section>\n", id, title, body);
   };
   section("findings", "What was found", findings_section(result, figures));
+  if (!figures.clocks.empty()) html += fmt::format("<p class=\"small\">{}</p>\n", escape(figures.clocks));
   section("charts", fmt::format("Error against {} and against time", words_of(s.integral).many),
           report_charts(result, figures));
   if (close_ups) section("close-ups", "What it looks like", report_close_ups(s, *close_ups));

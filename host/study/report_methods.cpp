@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "study/clocks.h"
 #include "study/coarse.h"
 #include "study/format.h"
 #include "study/html.h"
@@ -44,6 +45,14 @@ std::string what_ran(const StudyResult& result, const Figures& figures) {
                    s.reference_samples, words_of(s.integral).many, scientific(figures.reference_error)));
   for (const auto& [name, value] : result.device.items()) {
     item("device " + name, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  if (const Clocks clocks(result); clocks.several()) {
+    item("times", clocks.sentence());
+    for (const Clock& clock : clocks.all()) {
+      item(clock.process.empty() ? "one process" : "process " + clock.process,
+           fmt::format("{} renders on {}; calibration {}; times multiplied by {:.3f}", clock.runs,
+                       clock.device, duration(clock.calibration_seconds), clock.factor));
+    }
   }
   item("first measured", result.started);
   item("program", "capcon " + result.version);

@@ -37,15 +37,6 @@ T whole(const json& line, const char* name, T least = 0) {
   return value.get<T>();
 }
 
-/// Throws for what nests deeper than anything a study writes: copies would go as deep on the stack.
-json parsed(std::string_view line) {
-  constexpr int kDeepest = 32;
-  return json::parse(line, [](int depth, json::parse_event_t, const json&) {
-    if (depth > kDeepest) throw std::out_of_range("too deep");
-    return true;
-  });
-}
-
 /// What later readers of the header take for granted.
 void check_header(const json& header) {
   if (header.at("settings_hash").get<std::string>().empty()) throw std::out_of_range("no hash");
@@ -68,25 +59,42 @@ RunRecord record_from(const json& line) {
   r.timings.wall = line.at("timings").at("wall").get<std::map<std::string, double>>();
   r.timings.device = line.at("timings").at("device").get<std::map<std::string, double>>();
   r.device = line.at("device").get<std::string>();
+  if (line.contains("process")) {
+    r.process = line.at("process").get<std::string>();
+    r.calibration_seconds = number(line, "calibration_seconds");
+  }
   return r;
 }
 
 }  // namespace
 
+json parse_study_json(std::string_view text) {
+  constexpr int kDeepest = 32;
+  return json::parse(text, [](int depth, json::parse_event_t, const json&) {
+    if (depth > kDeepest) throw std::out_of_range("too deep");
+    return true;
+  });
+}
+
 json to_json(const RunRecord& r) {
-  return {{"sampler", r.run.sampler},
-          {"samples", r.run.samples},
-          {"seed", r.run.seed},
-          {"mse", r.mse},
-          {"mse_trimmed", r.mse_trimmed},
-          {"relmse", r.relmse},
-          {"mse_coarse", r.mse_coarse},
-          {"rays", r.rays},
-          {"device_seconds", r.device_seconds},
-          {"wall_seconds", r.wall_seconds},
-          {"point_generation_seconds", r.point_generation_seconds},
-          {"timings", {{"wall", r.timings.wall}, {"device", r.timings.device}}},
-          {"device", r.device}};
+  json line = {{"sampler", r.run.sampler},
+               {"samples", r.run.samples},
+               {"seed", r.run.seed},
+               {"mse", r.mse},
+               {"mse_trimmed", r.mse_trimmed},
+               {"relmse", r.relmse},
+               {"mse_coarse", r.mse_coarse},
+               {"rays", r.rays},
+               {"device_seconds", r.device_seconds},
+               {"wall_seconds", r.wall_seconds},
+               {"point_generation_seconds", r.point_generation_seconds},
+               {"timings", {{"wall", r.timings.wall}, {"device", r.timings.device}}},
+               {"device", r.device}};
+  if (!r.process.empty()) {
+    line["process"] = r.process;
+    line["calibration_seconds"] = r.calibration_seconds;
+  }
+  return line;
 }
 
 RunFile read_runs(const fs::path& path) {
@@ -99,7 +107,7 @@ RunFile read_runs(const fs::path& path) {
     ++number_of_line;
     const SourcePlace place{path.string(), number_of_line, 0};
     try {
-      const json line = parsed(std::string_view(bytes).substr(begin, end - begin));
+      const json line = parse_study_json(std::string_view(bytes).substr(begin, end - begin));
       if (number_of_line == 1) {
         check_header(line);
         file.header = line;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/descriptor.h"
@@ -26,6 +27,10 @@ struct RunRecord {
   double point_generation_seconds = 0;  ///< the part of wall_seconds that made the points
   Timings timings;
   std::string device;
+  /// Of a study by several processes, the one that measured it: "2/4 on HOST". Empty: there was one.
+  std::string process;
+  /// What calibration_seconds() found in that process: what its times are worth beside another's. 0: one.
+  double calibration_seconds = 0;
 };
 
 nlohmann::json to_json(const RunRecord& record);
@@ -37,6 +42,10 @@ struct RunFile {
   std::vector<RunRecord> records;
   std::uintmax_t complete_bytes = 0;  ///< length of the file without an unfinished last line
 };
+
+/// Throws for what is no JSON, or nests deeper than anything a study writes: copies would go as deep on the
+/// stack.
+nlohmann::json parse_study_json(std::string_view text);
 
 /// InputError with file:line for a line that is not what it should be.
 RunFile read_runs(const std::filesystem::path& path);

@@ -14,11 +14,15 @@
 #include "base/stop.h"
 #include "image/compare.h"
 #include "study/coarse.h"
+#include "study/study_work.h"
 
 namespace capcon {
 namespace fs = std::filesystem;
+using nlohmann::json;
 
 namespace {
+
+constexpr int kCalibrations = 5;  // renders, of which the middle one's time counts
 
 constexpr std::uint32_t kCostOfARender =
     8;  // what a render costs besides its samples, in samples; for the bar alone
@@ -81,86 +85,120 @@ RunImages run_images(const fs::path& directory, const std::string& hash) {
   return {directory / "images", hash};
 }
 
-StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
-                      const RunnerOptions& options) {
-  check_folder(options.directory);
-  const std::string hash = settings_hash(settings, device.info);
+json study_header(const StudySettings& settings, const json& device, const std::string& hash) {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  RunLog log(options.directory / "runs.jsonl",
-             {{"study", words_of(settings.integral).slug},
-              {"format", 1},
-              {"settings_hash", hash},
-              {"settings", to_json(settings)},
-              {"device", device.info},
-              {"version", version()},
-              {"started", fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(now))}},
-             options.fresh);
-  StudyResult result{settings, device.info, log.header().value("started", ""), std::string(version()), {}, {},
-                     0,        log.moved()};
+  return {{"study", words_of(settings.integral).slug},
+          {"format", 1},
+          {"settings_hash", hash},
+          {"settings", to_json(settings)},
+          {"device", device},
+          {"version", version()},
+          {"started", fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(now))}};
+}
 
-  const std::vector<PlannedRun> plan = plan_runs(settings);
-  double total = settings.reference_groups * (settings.reference_samples + kCostOfARender);
-  for (const PlannedRun& run : plan) total += run.samples + kCostOfARender;
-  double done = 0;
-  const auto finished_runs = std::count_if(plan.begin(), plan.end(),
-                                           [&](const PlannedRun& run) { return log.find(run) != nullptr; });
-  std::size_t done_runs = static_cast<std::size_t>(finished_runs);
-  Progress progress("study", total, options.quiet);
-  const auto kept = [&] {
-    return fmt::format("{} of {} runs are kept in {}, and the same command goes on from there", done_runs,
-                       plan.size(), options.directory.string());
-  };
-  StopMessage stop(kept());
+StudyWork::StudyWork(const StudySettings& settings, const StudyDevice& device, const RunnerOptions& options,
+                     RunLog* log, std::vector<PlannedRun> plan)
+    : settings_(settings),
+      options_(options),
+      log_(log),
+      plan_(std::move(plan)),
+      done_runs_(static_cast<std::size_t>(std::count_if(
+          plan_.begin(), plan_.end(), [&](const PlannedRun& run) { return log->find(run) != nullptr; }))),
+      progress_("study", total(), options.quiet),
+      stop_(kept()) {
   // A device that is lost or has no room: what is finished stays.
-  const RenderJob render = [&](const Job& job) {
+  render_ = [this, &device](const Job& job) {
     try {
       return device.render(job);
     } catch (const Failure& failure) {
       throw Failure(fmt::format("{}; {}", failure.what(), kept()));
     }
   };
-  const auto step = [&](std::uint32_t samples, const std::string& note) {
-    done += samples + kCostOfARender;
-    progress.update(done, note);
-    stop.say(kept());
-  };
+}
 
-  const fs::path reference_path = options.directory / "reference.exr";
-  if (auto before = options.fresh ? std::nullopt : read_reference(reference_path, hash)) {
-    result.reference = std::move(*before);
-    done += settings.reference_groups * (settings.reference_samples + kCostOfARender);
-  } else {
-    std::vector<Image> groups;
-    for (std::uint32_t g = 0; g < settings.reference_groups; ++g) {
-      groups.push_back(render(make_reference_job(settings, g)).image);
-      step(settings.reference_samples, "reference image");
-    }
-    result.reference = combine_groups(groups);
-    write_reference(reference_path, result.reference, settings, hash);
-  }
+double StudyWork::total() const {
+  double sum = settings_.reference_groups * (settings_.reference_samples + kCostOfARender);
+  for (const PlannedRun& run : plan_) sum += run.samples + kCostOfARender;
+  return sum;
+}
 
-  std::optional<RunImages> images;
-  if (keeps_images(settings.integral)) images = run_images(options.directory, hash);
+std::string StudyWork::kept() const {
+  return fmt::format("{} of {} runs are kept in {}, and the same command goes on from there", done_runs_,
+                     plan_.size(), options_.directory.string());
+}
+
+void StudyWork::step(std::uint32_t samples, const std::string& note) {
+  done_ += samples + kCostOfARender;
+  if (!note.empty()) progress_.update(done_, note);
+  stop_.say(kept());
+}
+
+Image StudyWork::reference_group(std::uint32_t group) {
+  Image image = render_(make_reference_job(settings_, group)).image;
+  step(settings_.reference_samples, "reference image");
+  return image;
+}
+
+void StudyWork::reference_was_there() {
+  for (std::uint32_t g = 0; g < settings_.reference_groups; ++g) step(settings_.reference_samples, "");
+}
+
+void StudyWork::measure_all(StudyResult& result, const RunImages* images, const RunRecord& by) {
   std::set<std::string> warm;  // kernels are compiled on first use: a render that does not count comes before
-  for (const PlannedRun& run : plan) {
-    if (const RunRecord* finished = log.find(run)) {
+  for (const PlannedRun& run : plan_) {
+    if (const RunRecord* finished = log_->find(run)) {
       result.records.push_back(*finished);
       ++result.resumed;
       // The same input gives the same bits: an image that was removed comes again, and nothing is timed.
-      if (images && !images->read(run)) images->write(run, render(make_job(settings, run)).image);
-      done += run.samples + kCostOfARender;
+      if (images && !images->read(run)) images->write(run, render_(make_job(settings_, run)).image);
+      step(run.samples, "");
       continue;
     }
     if (warm.insert(run.sampler).second)
-      render(make_job(settings, {run.sampler, settings.samples.front(), 0}));
-    Measured measured = measure(run, settings, render, result.reference);
+      render_(make_job(settings_, {run.sampler, settings_.samples.front(), 0}));
+    Measured measured = measure(run, settings_, render_, result.reference);
+    measured.record.process = by.process;
+    measured.record.calibration_seconds = by.calibration_seconds;
     if (images) images->write(run, measured.image);  // first: a line in runs.jsonl has its image
-    log.append(measured.record);
-    ++done_runs;
+    log_->append(measured.record);
+    ++done_runs_;
     result.records.push_back(std::move(measured.record));
     step(run.samples, fmt::format("{} at {} {}, seed {}", run.sampler, run.samples,
-                                  words_of(settings.integral).many, run.seed));
+                                  words_of(settings_.integral).many, run.seed));
   }
+}
+
+double StudyWork::calibration_seconds() {
+  const Job job =
+      make_job(settings_, {kReferenceSampler, settings_.samples[settings_.samples.size() / 2], 0});
+  render_(job);
+  std::vector<double> seconds;
+  for (int i = 0; i < kCalibrations; ++i) seconds.push_back(device_seconds(render_(job).timings));
+  std::nth_element(seconds.begin(), seconds.begin() + kCalibrations / 2, seconds.end());
+  return std::max(1e-9, seconds[kCalibrations / 2]);
+}
+
+StudyResult run_study(const StudySettings& settings, const StudyDevice& device,
+                      const RunnerOptions& options) {
+  check_folder(options.directory);
+  const std::string hash = settings_hash(settings, device.info);
+  RunLog log(options.directory / "runs.jsonl", study_header(settings, device.info, hash), options.fresh);
+  StudyResult result{settings, device.info, log.header().value("started", ""), std::string(version()), {}, {},
+                     0,        log.moved()};
+  StudyWork work(settings, device, options, &log, plan_runs(settings));
+  const fs::path reference_path = options.directory / "reference.exr";
+  if (auto before = options.fresh ? std::nullopt : read_reference(reference_path, hash)) {
+    result.reference = std::move(*before);
+    work.reference_was_there();
+  } else {
+    std::vector<Image> groups;
+    for (std::uint32_t g = 0; g < settings.reference_groups; ++g) groups.push_back(work.reference_group(g));
+    result.reference = combine_groups(groups);
+    write_reference(reference_path, result.reference, settings, hash);
+  }
+  std::optional<RunImages> images;
+  if (keeps_images(settings.integral)) images = run_images(options.directory, hash);
+  work.measure_all(result, images ? &*images : nullptr);
   return result;
 }
 

@@ -10,8 +10,15 @@ namespace capcon {
 
 StudyReport study_report(const StudySettings& settings, const MakeStudyDevice& make_device,
                          const RunnerOptions& options, const std::optional<Explanation>& explanation) {
+  return make_report(run_study(settings, make_device(settings.width, settings.height), options), make_device,
+                     options, explanation);
+}
+
+StudyReport make_report(StudyResult result, const MakeStudyDevice& make_device, const RunnerOptions& options,
+                        const std::optional<Explanation>& explanation) {
   StudyReport report;
-  report.result = run_study(settings, make_device(settings.width, settings.height), options);
+  report.result = std::move(result);
+  const StudySettings& settings = report.result.settings;
   const StopMessage stop(fmt::format("all runs are kept in {}, and the same command makes the report",
                                      options.directory.string()));
   report.figures = make_figures(report.result);
@@ -23,7 +30,7 @@ StudyReport study_report(const StudySettings& settings, const MakeStudyDevice& m
   if (explanation) report.json["explanation"] = to_json(*explanation);
   write_file(options.directory / "study.json", report.json.dump(2) + "\n");
   std::optional<CloseUps> close_ups;
-  if (settings.close_ups) close_ups = make_close_ups(settings, make_device, options);
+  if (settings.close_ups && make_device) close_ups = make_close_ups(settings, make_device, options);
   report.page = options.directory / "report.html";
   write_file(report.page, html_report(report.result, report.figures, close_ups, explanation));
   return report;

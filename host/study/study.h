@@ -21,4 +21,8 @@ struct StudyReport {
 StudyReport study_report(const StudySettings& settings, const MakeStudyDevice& make_device,
                          const RunnerOptions& options, const std::optional<Explanation>& explanation = {});
 
+/// The same from what was measured already. Without a device there are no close-ups.
+StudyReport make_report(StudyResult result, const MakeStudyDevice& make_device, const RunnerOptions& options,
+                        const std::optional<Explanation>& explanation = {});
+
 }  // namespace capcon

@@ -19,4 +19,9 @@ StudyLock::StudyLock(const std::filesystem::path& folder) {
   }
 }
 
+bool StudyLock::taken(const std::filesystem::path& folder) {
+  const Descriptor again(folder, O_RDONLY | O_DIRECTORY);
+  return again.get() >= 0 && !lock(again.get());
+}
+
 }  // namespace capcon

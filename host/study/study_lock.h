@@ -13,6 +13,8 @@ class StudyLock {
   /// Creates the folder where it is not there. Failure where another process has the lock, or there can be no
   /// folder.
   explicit StudyLock(const std::filesystem::path& folder);
+  /// Whether somebody has the lock now, this process included. False where a file system has no locks.
+  static bool taken(const std::filesystem::path& folder);
 
  private:
   Descriptor folder_;

@@ -154,6 +154,7 @@ std::string text_tables(const StudyResult& result, const Figures& figures) {
         fmt::format("Error beside {}'s, in the device seconds that its {} take\n\n{}\n", baseline,
                     words_of(result.settings.integral).many, ratio_table(result, figures, baseline, true));
   }
+  if (!figures.clocks.empty()) text += figures.clocks + "\n\n";
   if (!figures.noise.cells.empty()) text += noise_tables(result, figures.noise);
   for (const std::string& finding : make_findings(result.settings, figures)) text += finding + '\n';
   return text;

@@ -1,1 +1,1 @@
-set(links nlohmann_json::nlohmann_json capcon_image)
+set(links nlohmann_json::nlohmann_json capcon_image capcon_distributed)
