@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   cli::add_integrate_verb(app);
   cli::add_stability_verb(app);
   cli::add_render_verb(app);
+  cli::add_check_verb(app);
   cli::add_compare_verb(app);
   cli::add_points_verb(app);
   cli::add_measure_verb(app);
@@ -54,6 +55,7 @@ int run(int argc, char** argv) {
   cli::add_ensembles_verb(app);
   cli::add_bench_verb(app);
   cli::add_info_verb(app);
+  cli::add_documentation_verbs(app);
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) fail_to_write("standard output");

@@ -12,8 +12,8 @@
 #include "cli/verbs.h"
 #include "plot/measure_sheet.h"
 #include "plot/picture_file.h"
+#include "points/import_points.h"
 #include "points/measure.h"
-#include "points/point_set.h"
 #include "points/spectrum.h"
 
 namespace capcon::cli {
@@ -42,7 +42,7 @@ std::vector<Group> read_groups(const Options& options) {
   std::vector<Group> groups;
   for (const std::string& file : options.files) {
     std::size_t set = 0;
-    for (Points& points : read_points(file)) {
+    for (Points& points : import_points(file)) {
       const bool goes_on = set++ > 0 && !options.sets && groups.back().sets[0].size() == points.size();
       if (!goes_on) groups.push_back({file, set, {}});
       groups.back().sets.push_back(std::move(points));
@@ -157,7 +157,8 @@ void add_measure_verb(CLI::App& app) {
       "  l2_star     the root mean square of that difference\n"
       "docs/measures.md has the formulas and the rest: capacity_error, centroid_rms, psi6, spectra.\n");
   auto options = std::make_shared<Options>();
-  verb->add_option("files", options->files, "text files of points, one \"x y\" a line, '#' between sets")
+  verb->add_option("files", options->files,
+                   "text files of points, one \"x y\" a line, '#' between sets; or .csv, .bin, .npy")
       ->required()
       ->type_name("FILE");
   verb->add_option("--plot", options->plot, "draw a sheet, a column a row of the table, as .svg or .png")

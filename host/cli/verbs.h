@@ -13,11 +13,14 @@ void add_tiles_verb(CLI::App& app);
 void add_ensembles_verb(CLI::App& app);
 void add_render_verb(CLI::App& app);
 void add_compare_verb(CLI::App& app);
+void add_check_verb(CLI::App& app);
 void add_bench_verb(CLI::App& app);
 void add_info_verb(CLI::App& app);
 void add_study_verb(CLI::App& app);
 void add_merge_verb(CLI::App& app);
 void add_integrate_verb(CLI::App& app);
 void add_stability_verb(CLI::App& app);
+/// man and completion, made from the tables of all others: to be added last.
+void add_documentation_verbs(CLI::App& app);
 
 }  // namespace capcon::cli

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
+#include "scene/known_parameters.h"
 #include "scene/pbrt_directives.h"
 #include "scene/pbrt_parameters.h"
 
 namespace capcon {
 namespace {
 
-/// An entity at the directive, with what Attribute set for `target` added.
+/// An entity at the directive, with what Attribute set for `target` added; that of a named material has no
+/// type yet.
 Entity make_entity(PbrtContext& context, Tokenizer& tokens, const Token& directive, std::string type,
                    const std::string& target) {
   Entity entity;
@@ -15,6 +17,9 @@ Entity make_entity(PbrtContext& context, Tokenizer& tokens, const Token& directi
   const auto defaults = context.state.defaults.find(target);
   if (defaults != context.state.defaults.end())
     entity.parameters.entries.insert(defaults->second.entries.begin(), defaults->second.entries.end());
+  const bool is_named = directive.text == "MakeNamedMaterial";
+  const std::string of = is_named ? entity.parameters.string("type", {}) : entity.type;
+  note_parameters(context, is_named ? "Material" : directive.text, of, entity.parameters);
   entity.to_world = context.state.to_world;
   entity.place = tokens.place(directive);
   return entity;
@@ -54,7 +59,9 @@ void make_named_material(PbrtContext& context, Tokenizer& tokens, const Token& d
 
 void named_material(PbrtContext& context, Tokenizer& tokens, const Token& directive) {
   const std::string name = read_string(tokens, "NamedMaterial");
-  read_parameters(tokens);  // pbrt-v2 allows some, and has no use for them
+  for (const auto& [parameter, entry] :
+       read_parameters(tokens).entries)  // pbrt-v2 has no use for them either
+    context.note_unused(entry.place, fmt::format("\"{}\" of NamedMaterial is not used", parameter));
   const auto [found, is_new] =
       context.materials.emplace(name, static_cast<int>(context.scene.materials.size()));
   if (is_new) {  // to be defined behind its use, as pbrt-v4 allows
@@ -62,6 +69,18 @@ void named_material(PbrtContext& context, Tokenizer& tokens, const Token& direct
     context.scene.materials.emplace_back();
   }
   context.state.material = found->second;
+}
+
+/// Whether a texture is an image of the base colour or a mean is said where it is used; others never are
+/// more.
+void note_texture(PbrtContext& context, const Entity& texture) {
+  for (const char* known : {"constant", "imagemap", "scale", "mix", "checkerboard"}) {
+    if (texture.type == known) return;
+  }
+  if (context.notes) {
+    context.notes->add(NoteKind::approximated, texture.place,
+                       fmt::format("textures \"{}\" are constants wherever they are used", texture.type));
+  }
 }
 
 void texture(PbrtContext& context, Tokenizer& tokens, const Token& directive) {
@@ -77,6 +96,7 @@ void texture(PbrtContext& context, Tokenizer& tokens, const Token& directive) {
   Entity entity = make_entity(context, tokens, directive, std::move(type), "texture");
   entity.name = name;
   entity.values = values == "float" ? "float" : "spectrum";
+  note_texture(context, entity);
   context.scene.textures.push_back(std::move(entity));
 }
 

@@ -3,7 +3,12 @@
 namespace capcon {
 
 void PbrtContext::warn(const SourcePlace& place, const std::string& sentence) {
+  if (notes) notes->add_warning(place, sentence);
   if (warned.insert(sentence).second) scene.warnings.push_back(one_line(place.str() + ": " + sentence));
+}
+
+void PbrtContext::note_unused(const SourcePlace& place, const std::string& sentence) {
+  if (notes) notes->add(NoteKind::unused, place, sentence);
 }
 
 std::filesystem::path PbrtContext::resolve(const std::string& name, const SourcePlace& place) const {

@@ -10,6 +10,7 @@
 #include "scene/mesh_files.h"
 #include "scene/pbrt_tokens.h"
 #include "scene/scene.h"
+#include "scene/scene_notes.h"
 
 namespace capcon {
 
@@ -49,9 +50,12 @@ struct PbrtContext {
   MeshFiles files;
   std::vector<std::filesystem::path> includes;  ///< canonical, the file being read last
   std::set<std::string> warned;
+  SceneNotes* notes = nullptr;  ///< where everything is noted, if that is wanted: `capcon check`
 
-  /// Adds the sentence to the scene's warnings, unless it was there.
+  /// Adds the sentence to the scene's warnings, unless it was there; and to the notes.
   void warn(const SourcePlace& place, const std::string& sentence);
+  /// To the notes alone: what is not used here.
+  void note_unused(const SourcePlace& place, const std::string& sentence);
   /// The path of a file that a scene names: relative to the main file's folder, or to that of the file that
   /// names it.
   std::filesystem::path resolve(const std::string& name, const SourcePlace& place) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "scene/known_parameters.h"
 #include "scene/pbrt_directives.h"
 #include "scene/pbrt_parameters.h"
 #include "scene/suggestion.h"
@@ -23,6 +24,7 @@ void camera(PbrtContext& context, Tokenizer& tokens, const Token& directive) {
   if (type != "perspective")
     throw InputError(place, fmt::format("camera \"{}\" is not supported; use \"perspective\"", type));
   const Parameters parameters = read_parameters(tokens);
+  note_parameters(context, "Camera", type, parameters);
   Camera& camera = context.scene.camera;
   camera.camera_to_world = glm::inverse(context.state.to_world);
   context.coordinate_systems["camera"] = camera.camera_to_world;
@@ -67,6 +69,10 @@ void film(PbrtContext& context, Tokenizer& tokens, const Token& directive) {
                      fmt::format("unknown film \"{}\"{}", type, suggestion(type, kFilms)));
   }
   const Parameters parameters = read_parameters(tokens);
+  note_parameters(context, "Film", type, parameters);
+  if (type == "gbuffer" || type == "spectral")
+    context.note_unused(tokens.place(directive),
+                        fmt::format("the film \"{}\" is as \"rgb\": an image of three channels", type));
   Film& film = context.scene.film;
   film.width = resolution(parameters, "xresolution", film.width);
   film.height = resolution(parameters, "yresolution", film.height);
@@ -80,13 +86,17 @@ void film(PbrtContext& context, Tokenizer& tokens, const Token& directive) {
 }
 
 /// Says how to render, which the command line decides here.
-void how_to_render(PbrtContext&, Tokenizer& tokens, const Token& directive) {
-  read_string(tokens, std::string(directive.text).c_str());
+void how_to_render(PbrtContext& context, Tokenizer& tokens, const Token& directive) {
+  const std::string type = read_string(tokens, std::string(directive.text).c_str());
   read_parameters(tokens);
+  context.note_unused(
+      tokens.place(directive),
+      fmt::format("{} \"{}\" is not used: the command line says how to render", directive.text, type));
 }
 
-void option(PbrtContext&, Tokenizer& tokens, const Token&) {
-  read_parameters(tokens);
+void option(PbrtContext& context, Tokenizer& tokens, const Token& directive) {
+  for (const auto& [name, entry] : read_parameters(tokens).entries)
+    context.note_unused(tokens.place(directive), fmt::format("Option \"{}\" is not used", name));
 }
 
 void color_space(PbrtContext& context, Tokenizer& tokens, const Token& directive) {

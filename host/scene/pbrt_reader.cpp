@@ -92,11 +92,28 @@ const PbrtDirective& find_directive(const PbrtContext& context, const Tokenizer&
   return found->second;
 }
 
+/// Goes on to the next word that is a directive's.
+void skip_to_directive(Tokenizer& tokens) {
+  while (tokens.peek().kind != TokenKind::end &&
+         (tokens.peek().kind != TokenKind::word || !table().contains(tokens.peek().text)))
+    tokens.next();
+}
+
 void read_tokens(PbrtContext& context, Tokenizer& tokens) {
   while (!context.ended) {
-    const Token token = tokens.next();
-    if (token.kind == TokenKind::end) return;
-    find_directive(context, tokens, token).read(context, tokens, token);
+    try {
+      const Token token = tokens.next();
+      if (token.kind == TokenKind::end) return;
+      find_directive(context, tokens, token).read(context, tokens, token);
+    } catch (const InputError& error) {
+      if (!context.notes) throw;
+      context.notes->errors.emplace_back(error.what());
+      try {
+        skip_to_directive(tokens);
+      } catch (const InputError&) {
+        return;  // a string that is not closed: there is no telling what follows
+      }
+    }
   }
 }
 
@@ -153,9 +170,9 @@ void finish(PbrtContext& context, const Tokenizer& tokens) {
 
 }  // namespace
 
-Scene parse_pbrt(std::string_view bytes, const std::string& path, const ReadOptions& options) {
-  PbrtContext context;
-  context.options = options;
+namespace {
+
+Scene parse(PbrtContext& context, std::string_view bytes, const std::string& path) {
   context.folder = std::filesystem::path(path).parent_path();
   context.scene.folder = context.folder.string();
   context.scene.name = std::filesystem::path(path).stem().string();
@@ -165,6 +182,26 @@ Scene parse_pbrt(std::string_view bytes, const std::string& path, const ReadOpti
   read_tokens(context, tokens);
   finish(context, tokens);
   return std::move(context.scene);
+}
+
+}  // namespace
+
+Scene parse_pbrt(std::string_view bytes, const std::string& path, const ReadOptions& options) {
+  PbrtContext context;
+  context.options = options;
+  return parse(context, bytes, path);
+}
+
+Scene parse_pbrt(std::string_view bytes, const std::string& path, SceneNotes& notes) {
+  PbrtContext context;
+  context.options = {.normals = true, .uvs = true, .images = true};
+  context.notes = &notes;
+  try {
+    return parse(context, bytes, path);
+  } catch (const InputError& error) {  // of the whole: a scope that is not closed, a broken file
+    notes.errors.emplace_back(error.what());
+    return std::move(context.scene);
+  }
 }
 
 }  // namespace capcon

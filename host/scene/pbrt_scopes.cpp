@@ -51,7 +51,9 @@ void attribute(PbrtContext& context, Tokenizer& tokens, const Token& directive) 
     throw InputError(tokens.place(directive),
                      fmt::format("Attribute knows no target \"{}\"{}", target, suggestion(target, kTargets)));
   }
-  for (auto& [name, entry] : read_parameters(tokens).entries)
+  const Parameters parameters = read_parameters(tokens);
+  if (target == "medium") context.warn(tokens.place(directive), "media are left out: space is empty");
+  for (const auto& [name, entry] : parameters.entries)
     context.state.defaults[target].entries.insert_or_assign(name, entry);
 }
 

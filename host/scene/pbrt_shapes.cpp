@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/known_parameters.h"
 #include "scene/pbrt_directives.h"
 #include "scene/pbrt_parameters.h"
 #include "scene/suggestion.h"
@@ -183,8 +184,10 @@ bool is_hidden(PbrtContext& context, const ShapeSource& source) {
   return false;
 }
 
-std::vector<std::string_view> unneeded(const ReadOptions& options) {
-  std::vector<std::string_view> names = {"S"};
+std::vector<std::string_view> unneeded(const PbrtContext& context) {
+  const ReadOptions& options = context.options;
+  std::vector<std::string_view> names;
+  if (!context.notes) names = {"S"};
   if (!options.normals) names.push_back("N");
   if (!options.uvs) names.insert(names.end(), {"uv", "st"});
   return names;
@@ -198,7 +201,7 @@ void read_pbrt_shape(PbrtContext& context, Tokenizer& tokens, const Token& direc
   if (std::find(kKnown.begin(), kKnown.end(), type) == kKnown.end()) {
     throw InputError(place, fmt::format("unknown shape \"{}\"{}", type, suggestion(type, kKnown)));
   }
-  Parameters parameters = read_parameters(tokens, unneeded(context.options));
+  Parameters parameters = read_parameters(tokens, unneeded(context));
   const auto defaults = context.state.defaults.find("shape");
   if (defaults != context.state.defaults.end())
     parameters.entries.insert(defaults->second.entries.begin(), defaults->second.entries.end());
@@ -206,6 +209,7 @@ void read_pbrt_shape(PbrtContext& context, Tokenizer& tokens, const Token& direc
     context.warn(place, fmt::format("shape \"{}\" is not supported and was left out", type));
     return;
   }
+  note_parameters(context, "Shape", type, parameters);
   const ShapeSource source{parameters, place};
   Shape shape;
   shape.to_world = context.state.to_world;

@@ -112,8 +112,9 @@ void active_transform(PbrtContext& context, Tokenizer& tokens, const Token&) {
     context.warn(tokens.place(which), "motion is left out: everything stands where it starts");
 }
 
-void transform_times(PbrtContext&, Tokenizer& tokens, const Token&) {
+void transform_times(PbrtContext& context, Tokenizer& tokens, const Token& directive) {
   read_numbers(tokens, 2, "TransformTimes");
+  context.note_unused(tokens.place(directive), "TransformTimes is not used: nothing moves");
 }
 
 void transform_begin(PbrtContext& context, Tokenizer& tokens, const Token& directive) {

@@ -4,6 +4,7 @@
 #include "scene/mesh_files.h"
 #include "scene/pbrt_reader.h"
 #include "scene/scene.h"
+#include "scene/scene_notes.h"
 #include "scene/whole_view.h"
 
 namespace capcon {
@@ -49,6 +50,12 @@ Scene read_scene(const std::string& name, const ReadOptions& options) {
   if (extension == ".pbrt") return parse_pbrt(read_file(path), name, options);
   if (extension == ".ply" || extension == ".obj") return read_bare_mesh(path, options);
   throw InputError("\"" + name + "\" is no scene: a scene is a .pbrt, .ply or .obj file");
+}
+
+Scene read_scene(const std::string& name, SceneNotes& notes) {
+  if (std::filesystem::path(name).extension() != ".pbrt")
+    return read_scene(name, ReadOptions{.normals = true, .uvs = true, .images = true});
+  return parse_pbrt(read_file(name), name, notes);
 }
 
 }  // namespace capcon
