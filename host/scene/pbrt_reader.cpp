@@ -15,6 +15,7 @@ namespace capcon {
 namespace {
 
 constexpr std::size_t kDeepestInclude = 64;
+constexpr std::size_t kMostErrors = 100;  // that `capcon check` lists
 
 void read_tokens(PbrtContext& context, Tokenizer& tokens);
 
@@ -106,7 +107,7 @@ void read_tokens(PbrtContext& context, Tokenizer& tokens) {
       if (token.kind == TokenKind::end) return;
       find_directive(context, tokens, token).read(context, tokens, token);
     } catch (const InputError& error) {
-      if (!context.notes) throw;
+      if (!context.notes || context.notes->errors.size() >= kMostErrors) throw;
       context.notes->errors.emplace_back(error.what());
       try {
         skip_to_directive(tokens);

@@ -85,7 +85,14 @@ void check_bare(const TriangleMesh& mesh) {
 
 void read_pbrt(std::string_view bytes) {
   const std::string_view text = unpack(bytes);
-  const Scene scene = parse_pbrt(text, (scratch_folder() / "scene.pbrt").string(), {true, true, true});
+  const std::string path = (scratch_folder() / "scene.pbrt").string();
+  SceneNotes notes;  // goes on behind errors, as `capcon check` does
+  const Scene listed = parse_pbrt(text, path, notes);
+  listed.instanced_triangles();
+  if (notes.errors.empty()) check_scene(listed);
+  check_warnings(notes.errors);
+  const Scene scene = parse_pbrt(text, path, {true, true, true});
+  require(notes.errors.empty(), "what is read has no errors");
   check_scene(scene);
   const Materials materials = read_materials(scene);
   check_materials(materials);
