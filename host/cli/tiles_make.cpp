@@ -17,12 +17,14 @@ namespace {
 struct Options {
   MakeTilesOptions make;
   std::string output, method = "ccvt";
-  bool compact = false, json = false, quiet = false;
+  bool compact = false, boundary = false, json = false, quiet = false;
 };
 
 void run(const Options& options) {
   if (options.json && options.output.empty())
     throw InputError("--json prints what was made, not the tiles: say where they go with -o FILE");
+  if (options.compact && options.boundary)
+    throw InputError("--compact and --boundary do not go together: choose one");
   if (!options.output.empty()) check_writable(options.output);
   const auto start = std::chrono::steady_clock::now();
   TileSet set;
@@ -30,6 +32,7 @@ void run(const Options& options) {
     Progress progress("tiles", 1, options.quiet);
     MakeTilesOptions make = options.make;
     if (options.compact) make.colouring = Colouring::apart;
+    if (options.boundary) make.colouring = Colouring::bounded;
     if (options.method == "fpo") make.method = TileMethod::fpo;
     make.on_round = [&](double done, double energy) {
       progress.update(done, fmt::format("energy {:.4f}", energy));
@@ -62,7 +65,7 @@ void run(const Options& options) {
 void add_tiles_make(CLI::App& tiles) {
   CLI::App* verb =
       tiles.add_subcommand("make",
-                           "optimise and rank a complete tile set\n\n"
+                           "optimise and rank a tile set\n\n"
                            "Without options it makes the shipped set again, to the bit. The points of all "
                            "tiles move together until the\n"
                            "equal cells that they have in many random tilings are as compact as can be.\n");
@@ -76,6 +79,10 @@ void add_tiles_make(CLI::App& tiles) {
       ->check(CLI::IsMember({"ccvt", "fpo"}));
   verb->add_flag("--compact", options->compact,
                  "fewer tiles: corner colours but the first never beside themselves (C = 3: 35 tiles of 81)");
+  verb->add_flag(
+      "--boundary", options->boundary,
+      "tiles that fill a square whose sides do not meet: C^4 inner, 4 C^2 side and 4 C corner tiles "
+      "(C = 2: 40)");
   verb->add_option("--seed", make.seed, "another seed, another set")->capture_default_str();
   verb->add_option("--shared-corner", make.shared_corner,
                    "points of each quadrant shared by all tiles at a corner")

@@ -51,9 +51,7 @@ void add_tiles_sheet(CLI::App& tiles) {
       "with the tile frequency marked, its radial mean, and the mean distance of every prefix of the "
       "ranks.\n");
   auto options = std::make_shared<Options>();
-  verb->add_option("file", options->file, "a tile set's file, or a shipped set: c2n16, c2n64, c3n16-compact")
-      ->required()
-      ->type_name("FILE");
+  verb->add_option("file", options->file, tile_set_help())->required()->type_name("FILE");
   verb->add_option("-o,--output", options->output, ".svg or .png")->required()->type_name("OUT");
   verb->add_option("--tilings", options->tilings, "random tilings in every mean and in the spectrum")
       ->capture_default_str()

@@ -24,6 +24,8 @@ void run(const Options& options) {
   if (options.ranks > set.points_per_tile)
     throw InputError(
         fmt::format("--ranks {}: a tile of this set has {} points", options.ranks, set.points_per_tile));
+  if (set.bounded() && options.width < kLeastBoundedSide)
+    throw InputError("--width 1: a square with a border takes 2 x 2 tiles or more");
   const double size = options.size;
   const auto draw = [&](plot::Canvas& canvas) {
     plot::draw_tiling(canvas, {0, 0, size, size}, set, {options.width, options.ranks, options.seed});
@@ -45,9 +47,7 @@ void add_tiles_show(CLI::App& tiles) {
                                         "colours\n\n"
                                         "  capcon tiles show shipped --width 4 -o tiling.png\n");
   auto options = std::make_shared<Options>();
-  verb->add_option("file", options->file, "a tile set's file, or a shipped set: c2n16, c2n64, c3n16-compact")
-      ->required()
-      ->type_name("FILE");
+  verb->add_option("file", options->file, tile_set_help())->required()->type_name("FILE");
   verb->add_option("--width", options->width, "tiles along a side")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));

@@ -12,6 +12,7 @@ void add_tiles_verb(CLI::App& app) {
                                       "  capcon tiles verify shipped\n"
                                       "  capcon tiles show shipped --width 4 -o tiling.svg\n"
                                       "  capcon tiles sheet c2n64 -o sheet.png\n"
+                                      "  capcon tiles points c2n16-bounded --width 8 -o points.txt\n"
                                       "  capcon tiles make -o my.tiles\n"
                                       "  capcon tiles parts -o c2n16.parts\n");
   verb->require_subcommand(1);
@@ -19,6 +20,7 @@ void add_tiles_verb(CLI::App& app) {
   add_tiles_verify(*verb);
   add_tiles_show(*verb);
   add_tiles_sheet(*verb);
+  add_tiles_points(*verb);
   add_tiles_parts(*verb);
 }
 
@@ -27,6 +29,10 @@ TileSet named_tile_set(const std::string& name) {
   // A word that is no file's name as tile sets have it: one of the shipped sets.
   const bool is_word = name.find_first_of("./") == std::string::npos && !std::filesystem::exists(name);
   return is_word ? shipped_tile_set(name) : read_tile_set(name);
+}
+
+const char* tile_set_help() {
+  return "a tile set's file, or a shipped set: c2n16, c2n64, c3n16-compact, c2n16-bounded";
 }
 
 }  // namespace capcon::cli

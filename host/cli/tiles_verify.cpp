@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "cli/tiles_verb.h"
+#include "tiling/even_cells.h"
 #include "tiling/tile_report.h"
 
 namespace capcon::cli {
@@ -43,7 +44,8 @@ bool is_good(const TileReport& report) {
 
 std::string untiled_name(const TileSet& set, const Options& options) {
   return is_farthest(set) ? fmt::format("{} farthest-point sets", options.untiled_sets)
-                          : fmt::format("{} ccvt sets, capacity {}", options.untiled_sets, options.capacity);
+                          : fmt::format("{} ccvt sets{}, capacity {}", options.untiled_sets,
+                                        set.bounded() ? " of the square" : "", options.capacity);
 }
 
 void print_json(const TileSet& set, const Options& options, const TileReport& report) {
@@ -71,6 +73,7 @@ void print_json(const TileSet& set, const Options& options, const TileReport& re
                      {"ratio", report.spike.ratio()}};
   result["least_prefix_delta_mean"] = report.worst_prefix().delta_mean;
   result["well_ranked"] = report.well_ranked();
+  if (set.bounded()) result["even_cells"] = !find_shared_cell(set);
   result["ok"] = is_good(report);
   fmt::print("{}\n", result.dump(2));
 }
@@ -106,6 +109,11 @@ void print_text(const TileSet& set, const Options& options, const TileReport& re
       "spectrum at multiples of the tile frequency: at most {:.2f} times the local mean, at ({}, {}): {}\n",
       spike.ratio(), spike.kx / int(side), spike.ky / int(side),
       report.without_spikes() ? "good" : fmt::format("above {:g}", TileReport::kSpike));
+  if (!set.bounded()) return;
+  const auto shared = find_shared_cell(set);
+  fmt::print("cells of random places in tilings without a bias: {}\n",
+             shared ? fmt::format("point {} of tile {} has another point's", shared->second, shared->first)
+                    : "one for every point");
 }
 
 void run(const Options& options) {
@@ -137,9 +145,7 @@ void add_tiles_verify(CLI::App& tiles) {
       "its\n"
       "surroundings at a multiple of the tile frequency.\n");
   auto options = std::make_shared<Options>();
-  verb->add_option("file", options->file, "a tile set's file, or a shipped set: c2n16, c2n64, c3n16-compact")
-      ->required()
-      ->type_name("FILE");
+  verb->add_option("file", options->file, tile_set_help())->required()->type_name("FILE");
   verb->add_option("--tilings", options->tilings, "random tilings of each size")
       ->capture_default_str()
       ->check(CLI::Range(1, 100000));

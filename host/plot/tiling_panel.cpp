@@ -6,12 +6,13 @@
 #include <iterator>
 
 #include "points/measure.h"
+#include "points/measure_bounded.h"
 #include "tiling/tiling.h"
 
 namespace capcon::plot {
 namespace {
 
-constexpr Colour kPaper{252, 251, 248}, kCell{205, 208, 212}, kBorder{120, 128, 138};
+constexpr Colour kPaper{252, 251, 248}, kCell{205, 208, 212}, kBorder{120, 128, 138}, kOutside{40, 44, 52};
 constexpr Colour kCorners[] = {{214, 92, 58},  {44, 120, 168},  {233, 177, 52}, {92, 148, 84},
                                {134, 90, 160}, {110, 110, 110}, {190, 70, 120}, {70, 170, 160}};
 constexpr Colour kRegions[] = {{150, 60, 40}, {40, 110, 70}, {120, 80, 150}, {34, 40, 49}};
@@ -30,7 +31,15 @@ void draw_tiling(Canvas& canvas, const Box& box, const TileSet& set, const Tilin
 
   canvas.rectangle(box, kPaper);
   canvas.begin_clip(box);
-  if (points.size() <= kCellsUpTo) {
+  const Stroke thin{kCell, 0.025 * spacing};
+  if (points.size() <= kCellsUpTo && set.bounded()) {
+    for (const std::vector<glm::dvec2>& cell : bounded_outlines(points)) {
+      std::vector<glm::dvec2> outline;
+      for (const glm::dvec2& corner : cell) outline.push_back(place(corner));
+      if (!outline.empty()) outline.push_back(outline[0]);
+      canvas.polyline(outline, thin);
+    }
+  } else if (points.size() <= kCellsUpTo) {
     const std::vector<VoronoiCell> cells = voronoi_cells(points);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i].corners.empty()) continue;
@@ -43,7 +52,7 @@ void draw_tiling(Canvas& canvas, const Box& box, const TileSet& set, const Tilin
           std::vector<glm::dvec2> outline;
           for (const glm::dvec2& c : cells[i].corners) outline.push_back(place(at + c));
           outline.push_back(outline[0]);
-          canvas.polyline(outline, {kCell, 0.025 * spacing});
+          canvas.polyline(outline, thin);
         }
     }
   }
@@ -53,10 +62,13 @@ void draw_tiling(Canvas& canvas, const Box& box, const TileSet& set, const Tilin
     canvas.line(place({at, 0}), place({at, 1}), border);
     canvas.line(place({0, at}), place({1, at}), border);
   }
+  const auto colour_of = [&](std::uint32_t colour) {
+    return set.bounded() && colour + 1 == set.colours ? kOutside : kCorners[colour % std::size(kCorners)];
+  };
   for (std::uint32_t y = 0; y <= panel.width; ++y)
     for (std::uint32_t x = 0; x <= panel.width; ++x)
       canvas.disc(place(glm::dvec2(x, y) / double(panel.width)), 0.075 * tile,
-                  kCorners[colours[tiling.index(x, y)] % std::size(kCorners)]);
+                  colour_of(colours[tiling.index(x, y)]));
   for (std::uint32_t cell = 0; cell < tiling.size(); ++cell)
     for (std::uint32_t r = 0; r < ranks; ++r) {
       const RegionKind kind = set.tiles[tile_of(tiling, colours, set.colours, cell)][r].kind;

@@ -15,7 +15,7 @@ struct TilingPanel {
 };
 
 /// A square tiling with random corner colours in a square box: Voronoi cells (up to kCellsUpTo points), tile
-/// borders, corners as discs of their colour, points in the tint of their region's kind.
+/// borders, corners as discs of their colour (dark outside), points in the tint of their region's kind.
 void draw_tiling(Canvas& canvas, const Box& box, const TileSet& set, const TilingPanel& panel);
 
 inline constexpr std::size_t kCellsUpTo = 5000;

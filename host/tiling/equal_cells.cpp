@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace capcon {
@@ -31,10 +32,18 @@ EqualCells::EqualCells(const GaussianTiling& tiling, const std::vector<std::uint
     free_point_.insert(free_point_.end(), tile.begin(), tile.end());
     const glm::ivec2 at = tiling.cell(cell);
     around_.emplace_back();
-    for (int k = 0; k < 9; ++k) around_.back()[k] = tiling.index(at.x + k % 3 - 1, at.y + k / 3 - 1);
+    const int side = int(tiling.side());
+    const bool bounded = points.colouring == Colouring::bounded;
+    for (int k = 0; k < 9; ++k) {
+      const glm::ivec2 there(at.x + k % 3 - 1, at.y + k / 3 - 1);
+      const bool beyond = std::min(there.x, there.y) < 0 || std::max(there.x, there.y) >= side;
+      around_.back()[k] = bounded && beyond ? kNoTile : tiling.index(there.x, there.y);
+    }
+    if (bounded) boxes_.push_back({-glm::dvec2(at), glm::dvec2(side - at.x, side - at.y)});
   }
   neighbours_.resize(site_count());
   weights_.resize(site_count());
+  clip_.resize(site_count());
   cells_.resize(site_count());
 }
 
@@ -45,6 +54,7 @@ void EqualCells::find_neighbours(const TiedPoints& points) {
     list.clear();
     const glm::dvec2 here = points.free[free_point_[site]].position;
     for (int k = 0; k < 9; ++k) {
+      if (around_[site / per_tile_][k] == kNoTile) continue;
       const std::size_t first = around_[site / per_tile_][k] * per_tile_;
       const glm::dvec2 shift(k % 3 - 1, k / 3 - 1);
       for (std::size_t other = first; other < first + per_tile_; ++other) {
@@ -67,6 +77,10 @@ void EqualCells::place_neighbours(const TiedPoints& points) {
   for (std::size_t site = 0; site < site_count(); ++site) {
     std::vector<Neighbour>& list = neighbours_[site];
     const glm::dvec2 here = points.free[free_point_[site]].position;
+    if (!boxes_.empty()) {
+      const SiteBox& square = boxes_[site / per_tile_];
+      clip_[site] = {glm::max(square.low - here, -1.0), glm::min(square.high - here, 1.0)};
+    }
     for (std::size_t k = 0; k < list.size();
          ++k) {  // insertion sort: the list is nearly sorted from the last time
       Neighbour n = list[k];
@@ -81,7 +95,7 @@ void EqualCells::place_neighbours(const TiedPoints& points) {
 
 void EqualCells::compute_cells() {
   for (std::size_t site = 0; site < site_count(); ++site)
-    clip_power_cell(neighbours_[site], weights_[site], weights_, cells_[site]);
+    clip_power_cell(neighbours_[site], weights_[site], weights_, cells_[site], clip_[site]);
 }
 
 double EqualCells::residual2() const {

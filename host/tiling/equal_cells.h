@@ -10,7 +10,8 @@
 
 namespace capcon {
 
-/// The capacity-constrained cells of all sites of one toroidal tiling, in units of a tile's side: power cells
+/// The capacity-constrained cells of all sites of one tiling, toroidal or bounded as the points' set is (a
+/// bounded one's cells end at the square's sides), in units of a tile's side: power cells
 /// of exactly the same area 1/nt, which are the cells of least summed energy for these sites and capacities
 /// (Aurenhammer, Hoffmann and Aronov 1998). The weights follow from damped Newton steps on the areas
 /// (Kitagawa, Merigot and Thibert 2019). It is the limit of swapping space points between sites as the
@@ -29,10 +30,12 @@ class EqualCells {
   /// The free point that stands at a site; sites are tile by tile.
   std::uint32_t free_point(std::size_t site) const { return free_point_[site]; }
   std::size_t site_count() const { return free_point_.size(); }
-  /// Mean of |x - site|^2 over the torus.
+  /// Mean of |x - site|^2 over the torus, or the square.
   double energy() const;
 
  private:
+  static constexpr std::uint32_t kNoTile = ~0u;
+
   void find_neighbours(const TiedPoints& points);
   void place_neighbours(const TiedPoints& points);
   void compute_cells();
@@ -46,10 +49,13 @@ class EqualCells {
   double target_;
   std::size_t per_tile_;
   std::vector<std::uint32_t> free_point_;
-  std::vector<std::array<std::uint32_t, 9>> around_;  ///< per tile the tiles at (-1..1, -1..1)
+  std::vector<std::array<std::uint32_t, 9>> around_;  ///< per tile the tiles at (-1..1, -1..1), kNoTile
+                                                      ///< beyond the sides of a bounded tiling
+  std::vector<SiteBox> boxes_;  ///< per tile of a bounded tiling: where the square is, seen from the tile
   std::vector<std::vector<Neighbour>> neighbours_;
   std::vector<TiedPoints::FreePoint> searched_at_;  ///< the free points when neighbours were sought last
   std::vector<double> weights_;
+  std::vector<SiteBox> clip_;  ///< per site: what its cell is cut out of
   std::vector<PowerCell> cells_;
 };
 

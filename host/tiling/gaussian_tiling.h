@@ -20,6 +20,8 @@ class GaussianTiling {
 
   /// The number of tiles, which is also the number of lattice vertices.
   std::uint32_t size() const { return size_; }
+  /// Tiles along the side of an a x a tiling; 0 for b > 0, which turns it.
+  std::uint32_t side() const { return b_ == 0 ? std::uint32_t(a_) : 0; }
   /// Index in [0, size) of the vertex or cell at the integers (x, y), wrapped.
   std::uint32_t index(std::int64_t x, std::int64_t y) const;
   /// The integers (x, y) of a vertex or cell index: the representative with 0 <= y < gcd(a, b), 0 <= x < N /

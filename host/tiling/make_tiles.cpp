@@ -9,86 +9,86 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/parallel.h"
+#include "tiling/even_points.h"
 #include "tiling/farthest_tiles.h"
 #include "tiling/region_layout.h"
 #include "tiling/tied_optimiser.h"
 #include "tiling/tile_ranking.h"
+#include "tiling/training_tilings.h"
 
 namespace capcon {
 namespace {
 
-constexpr std::uint32_t kMaxPointsInSet = 2304;  // ranking's memory grows with the square
-constexpr std::uint32_t kTrainingSide = 8;
+constexpr std::uint32_t kMaxPointsInSet = 2304;           // ranking's memory grows with the square
 constexpr std::uint32_t kTilings = 24, kTilingsFor = 16;  // as many tilings for as many tiles
-constexpr std::uint64_t kTrainingStream = 0x747261696e;
-constexpr double kStride = 1.9;  // over-relaxation of the rounds but the last ones
+constexpr std::uint64_t kStartStream = 0x747261696d;
+constexpr double kStride = 1.9;                             // over-relaxation of the rounds but the last ones
+constexpr double kEvenStride = 2.5, kEvenStrideFall = 1.5;  // of bounded sets: down to 1
+constexpr std::uint32_t kRoundsInCells = 30;
+constexpr double kLoose = 0.5, kSettled = 0.9;  // parts of the rounds: make_even's `settled` goes from 0 to 1
 constexpr double kFlatness = 0.002;
 constexpr double kCalmRounds = 0.2;  // this part of the rounds goes without it
 
-// Tilings of few tiles are what renderers use most: their share of the training weight.
-struct SmallTilings {
-  std::uint32_t a, b, count;
-  double share;
-};
-constexpr SmallTilings kSmall[] = {{1, 0, 8, 0.06}, {1, 1, 16, 0.03}, {2, 0, 32, 0.03}, {2, 2, 16, 0.03}};
-
-std::uint64_t colouring_count(std::uint32_t colours, std::uint32_t vertices) {
-  std::uint64_t count = 1;
-  for (std::uint32_t v = 0; v < vertices && count < 1000; ++v) count *= colours;
-  return count;
+double stride_of(std::uint32_t round, std::uint32_t rounds) {
+  return round < (1 - kCalmRounds) * rounds ? kStride : 1.0;
 }
 
-std::vector<TrainingTiling> training_tilings(const MakeTilesOptions& options, std::uint32_t count) {
-  std::vector<TrainingTiling> result;
-  const GaussianTiling square(kTrainingSide, 0);
-  for (std::uint32_t i = 0; i < count; ++i)
-    result.push_back(
-        {square,
-         random_colours(square, options.colours, options.colouring, mix64(options.seed, kTrainingStream, i)),
-         1});
-  for (const SmallTilings& small : kSmall) {
-    const GaussianTiling tiling(small.a, small.b);
-    const std::uint64_t stream = kTrainingStream + 1 + tiling.size();
-    // Every colouring if they are few and all allowed, else random ones.
-    const std::uint64_t all = colouring_count(options.colours, tiling.size());
-    const std::uint64_t used = std::min<std::uint64_t>(all, small.count);
-    const double weight = small.share * count * square.size() / double(used * tiling.size());
-    for (std::uint64_t i = 0; i < used; ++i) {
-      if (options.colouring != Colouring::free) {
-        result.push_back(
-            {tiling,
-             random_colours(tiling, options.colours, options.colouring, mix64(options.seed, stream, i)),
-             weight});
-        continue;
-      }
-      std::uint64_t code = all <= small.count ? i : mix64(options.seed, stream, i);
-      std::vector<std::uint32_t> colours(tiling.size());
-      for (std::uint32_t& c : colours) c = std::uint32_t(code % options.colours), code /= options.colours;
-      result.push_back({tiling, std::move(colours), weight});
-    }
-  }
-  return result;
+// Points that go into cells of their own stop early; strides that are too far shake them on to better cells.
+double stride_of_even(std::uint32_t round, std::uint32_t rounds) {
+  return std::max(1.0, kEvenStride - kEvenStrideFall * round / rounds);
 }
 
-// Runs the rounds and returns the last objective.
-double optimise(TiedOptimiser& optimiser, std::uint32_t rounds, const std::function<void()>& on_round) {
+double settled(std::uint32_t round, std::uint32_t rounds) {
+  return std::clamp((double(round) / rounds - kLoose) / (kSettled - kLoose), 0.0, 1.0);
+}
+
+// Runs the rounds and returns the last objective. `even`: points of bounded sets go into cells of their own
+// after each.
+double optimise(TiedOptimiser& optimiser, std::uint32_t rounds, bool even,
+                const std::function<void()>& on_round) {
   double objective = 0;
   for (std::uint32_t r = 0; r < rounds; ++r) {
-    objective = optimiser.round(1e-3, r < (1 - kCalmRounds) * rounds ? kStride : 1.0);
+    objective = optimiser.round(1e-3, even ? stride_of_even(r, rounds) : stride_of(r, rounds));
+    if (even) {
+      TiedPoints points = optimiser.points();
+      make_even(points, settled(r, rounds));
+      optimiser.set_points(std::move(points));
+    }
     on_round();
   }
   return objective;
 }
 
+// The cells stay, and with them what random places in them do; their points go where the energy is least.
+void move_in_cells(TiedOptimiser& optimiser) {
+  for (std::uint32_t r = 0; r < kRoundsInCells; ++r) {
+    const TiedPoints before = optimiser.points();
+    optimiser.round();
+    TiedPoints points = optimiser.points();
+    keep_in_cells(points, before);
+    optimiser.set_points(std::move(points));
+  }
+}
+
+bool is_bounded(const MakeTilesOptions& options) {
+  return options.colouring == Colouring::bounded;
+}
+
+// With the one for outside.
+std::uint32_t all_colours(const MakeTilesOptions& options) {
+  return options.colours + (is_bounded(options) ? 1 : 0);
+}
+
 // Tiles of the set.
 std::uint64_t size_of(const MakeTilesOptions& options) {
   constexpr std::uint32_t kMany = 8;  // colours; more are too many anyhow
-  return tile_numbers(std::min(options.colours, kMany), options.colouring).size();
+  return tile_numbers(std::min(all_colours(options), kMany), options.colouring).size();
 }
 
 // Each tile is seen about as often in larger sets as in the one of 16 tiles.
 std::uint32_t tilings_of(const MakeTilesOptions& options) {
   if (options.tilings != 0) return options.tilings;
+  if (is_bounded(options)) return kTilings;
   const auto tiles = std::uint32_t(size_of(options));
   return std::max(kTilings, (kTilings * tiles + kTilingsFor - 1) / kTilingsFor);
 }
@@ -106,6 +106,13 @@ void check(const MakeTilesOptions& options) {
     throw InputError("--method fpo needs at least 4 points a tile");
   if (options.starts < 1 || options.rounds < 2 || (options.tilings != 0 && options.tilings < 3))
     throw InputError("at least 1 start, 2 rounds and 3 tilings are needed");
+  if (!is_bounded(options)) return;
+  if (options.method == TileMethod::fpo || options.shared_corner > 0 || options.shared_edge > 0 ||
+      options.flatness)
+    throw InputError(
+        "--boundary goes without --method fpo, --shared-corner, --shared-edge and --flatness: a bounded "
+        "set's "
+        "points are capacity-constrained, of one tile each, and even without a flatness");
 }
 
 }  // namespace
@@ -118,6 +125,7 @@ std::string recipe(const MakeTilesOptions& options) {
     if (value != usual) text += fmt::format(" --{} {}", name, value);
   };
   if (options.colouring == Colouring::apart) text += " --compact";
+  if (is_bounded(options)) text += " --boundary";
   if (options.method == TileMethod::fpo) text += " --method fpo";
   add("shared-corner", options.shared_corner, defaults.shared_corner);
   add("shared-edge", options.shared_edge, defaults.shared_edge);
@@ -134,30 +142,33 @@ namespace {
 TiedPoints start_points(const MakeTilesOptions& options, std::uint32_t start) {
   const RegionCounts counts{options.shared_corner, options.shared_edge,
                             options.points_per_tile - 4 * (options.shared_corner + options.shared_edge)};
-  return random_tied_points(options.colours, options.points_per_tile, counts,
-                            mix64(options.seed, kTrainingStream - 1, start), options.colouring);
+  return random_tied_points(all_colours(options), options.points_per_tile, counts,
+                            mix64(options.seed, kStartStream, start), options.colouring);
 }
 
 TiedPoints capacity_constrained(const MakeTilesOptions& options) {
-  const double flatness = options.flatness.value_or(kFlatness);
+  const bool even = is_bounded(options);
+  const double flatness = even ? 0 : options.flatness.value_or(kFlatness);
+  const TrainingSet training{all_colours(options), options.colouring, options.seed};
   const std::uint32_t tilings = tilings_of(options), few = tilings / 3, start_rounds = options.rounds / 2;
   const double total = double(options.starts) * few * start_rounds + double(tilings) * options.rounds;
   double done = 0;
   std::optional<TiedPoints> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::uint32_t start = 0; start < options.starts; ++start) {
-    TiedOptimiser optimiser(start_points(options, start), training_tilings(options, few), flatness);
-    const double objective = optimise(optimiser, start_rounds, [&] {
+    TiedOptimiser optimiser(start_points(options, start), training_tilings(training, few), flatness);
+    const double objective = optimise(optimiser, start_rounds, even, [&] {
       done += few;
       if (options.on_round) options.on_round(done / total, optimiser.energy());
     });
     if (objective < least) least = objective, best = optimiser.points();
   }
-  TiedOptimiser finish(*best, training_tilings(options, tilings), flatness);
-  optimise(finish, options.rounds, [&] {
+  TiedOptimiser finish(*best, training_tilings(training, tilings), flatness);
+  optimise(finish, options.rounds, even, [&] {
     done += tilings;
     if (options.on_round) options.on_round(done / total, finish.energy());
   });
+  if (even) move_in_cells(finish);
   return finish.points();
 }
 

@@ -18,7 +18,7 @@ enum class TileMethod : std::uint8_t {
 
 /// The recipe of a tile set; the defaults make the shipped one.
 struct MakeTilesOptions {
-  std::uint32_t colours = 2;
+  std::uint32_t colours = 2;  ///< in a bounded set those inside; outside is one more
   std::uint32_t points_per_tile = 16;
   Colouring colouring = Colouring::free;
   TileMethod method = TileMethod::ccvt;
@@ -28,10 +28,12 @@ struct MakeTilesOptions {
   std::uint32_t starts = 6;     ///< random starts, the best of which is finished
   std::uint32_t rounds = 200;   ///< rounds of the finish; a start gets half of them
   std::uint32_t tilings = 0;    ///< random 8 x 8 tilings that the finish optimises on, a start on a third of
-                                ///< them; 0: 24, more for sets of more than 16 tiles
+                                ///< them; 0: 24, more for sets of more than 16 tiles (24 for bounded ones,
+                                ///< which have more of the small tilings)
   std::uint32_t moves = 20000;  ///< of the ranking, per point of the set
   std::optional<double> flatness;  ///< of the mean tile, see TiedOptimiser and FarthestOptions; 0 ends in a
-                                   ///< regular lattice. Left out: 0.002 for ccvt, 0.0002 for fpo
+                                   ///< regular lattice. Left out: 0.002 for ccvt, 0.0002 for fpo. Bounded
+                                   ///< sets have none: their points have even cells (even_cells.h)
   std::function<void(double done, double energy)> on_round;  ///< done in [0, 1]; may be empty
 };
 

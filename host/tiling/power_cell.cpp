@@ -63,13 +63,13 @@ void integrate(const Polygon& polygon, const std::vector<Neighbour>& neighbours,
 }  // namespace
 
 void clip_power_cell(const std::vector<Neighbour>& neighbours, double own_weight,
-                     const std::vector<double>& weights, PowerCell& cell) {
+                     const std::vector<double>& weights, PowerCell& cell, const SiteBox& box) {
   Polygon a, b;
   Polygon *now = &a, *next = &b;
-  now->add({-1, -1}, kNone);
-  now->add({1, -1}, kNone);
-  now->add({1, 1}, kNone);
-  now->add({-1, 1}, kNone);
+  now->add(box.low, kNone);
+  now->add({box.high.x, box.low.y}, kNone);
+  now->add(box.high, kNone);
+  now->add({box.low.x, box.high.y}, kNone);
   double reach2 = 2;
   for (std::uint32_t k = 0; k < neighbours.size() && now->size > 0; ++k) {
     const Neighbour& n = neighbours[k];

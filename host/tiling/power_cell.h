@@ -27,9 +27,14 @@ struct PowerCell {
   std::vector<Wall> walls;
 };
 
-/// Clips the square [-1, 1]^2 around a site by the neighbours, which are sorted by distance. `weights` is
-/// indexed by site.
+/// A rectangle around a site.
+struct SiteBox {
+  glm::dvec2 low{-1}, high{1};
+};
+
+/// Clips a box (at most [-1, 1]^2) around a site by the neighbours, which are sorted by distance. `weights`
+/// is indexed by site.
 void clip_power_cell(const std::vector<Neighbour>& neighbours, double own_weight,
-                     const std::vector<double>& weights, PowerCell& cell);
+                     const std::vector<double>& weights, PowerCell& cell, const SiteBox& box = {});
 
 }  // namespace capcon

@@ -9,6 +9,7 @@ namespace capcon {
 namespace {
 
 constexpr std::uint32_t kCountSide = 256;
+constexpr std::uint32_t kBoundedSides[] = {2, 3, 4, 8}, kBoundedCells = 4096;
 constexpr std::uint64_t kCountSeed = 0x72616e6b;
 
 }  // namespace
@@ -27,14 +28,28 @@ std::vector<std::uint32_t> tile_numbers(const TileSet& set) {
 }
 
 TilePairs::TilePairs(const TileSet& set, double one_tile_weight)
-    : colours_(set.colours), one_tile_weight_(one_tile_weight), numbers_(tile_numbers(set)) {
-  if (set.colouring == Colouring::free) return;
-  const GaussianTiling tiling(kCountSide, 0);
-  const auto colours = random_colours(tiling, set, kCountSeed);
+    : colours_(set.colours),
+      one_tile_weight_(one_tile_weight),
+      numbers_(tile_numbers(set)),
+      bounded_(set.colouring == Colouring::bounded) {
+  if (set.colouring == Colouring::apart) draw(set, kCountSide, 1.0 / (kCountSide * kCountSide), kCountSeed);
+  if (!bounded_) return;
+  for (const std::uint32_t side : kBoundedSides) {
+    const std::uint32_t tilings = kBoundedCells / (side * side);
+    for (std::uint32_t i = 0; i < tilings; ++i)
+      draw(set, side, 1.0 / (tilings * side * side * double(std::size(kBoundedSides))), kCountSeed + i);
+  }
+}
+
+void TilePairs::draw(const TileSet& set, std::uint32_t side, double weight, std::uint64_t seed) {
+  const GaussianTiling tiling(side, 0);
+  const auto colours = random_colours(tiling, set, seed);
+  Drawn drawn{side, weight, {}};
   for (std::uint32_t cell = 0; cell < tiling.size(); ++cell) {
     const std::uint32_t tile = tile_of(tiling, colours, set.colours, cell);
-    drawn_.push_back(std::uint32_t(std::ranges::lower_bound(numbers_, tile) - numbers_.begin()));
+    drawn.tiles.push_back(std::uint32_t(std::ranges::lower_bound(numbers_, tile) - numbers_.begin()));
   }
+  drawn_.push_back(std::move(drawn));
 }
 
 std::vector<double> TilePairs::exact(int dx, int dy) const {
@@ -49,13 +64,17 @@ std::vector<double> TilePairs::exact(int dx, int dy) const {
 }
 
 std::vector<double> TilePairs::counted(int dx, int dy) const {
-  const GaussianTiling tiling(kCountSide, 0);
   const std::size_t tiles = numbers_.size();
   std::vector<double> weights(tiles * tiles, 0.0);
-  for (std::uint32_t cell = 0; cell < tiling.size(); ++cell) {
-    const glm::ivec2 at = tiling.cell(cell);
-    weights[drawn_[cell] * tiles + drawn_[tiling.index(at.x + dx, at.y + dy)]] +=
-        double(tiles) / tiling.size();
+  for (const Drawn& drawn : drawn_) {
+    const GaussianTiling tiling(drawn.side, 0);
+    for (std::uint32_t cell = 0; cell < tiling.size(); ++cell) {
+      const glm::ivec2 there = tiling.cell(cell) + glm::ivec2(dx, dy);
+      const bool beyond = std::min(there.x, there.y) < 0 || std::max(there.x, there.y) >= int(drawn.side);
+      if (bounded_ && beyond) continue;
+      weights[drawn.tiles[cell] * tiles + drawn.tiles[tiling.index(there.x, there.y)]] +=
+          double(tiles) * drawn.weight;
+    }
   }
   return weights;
 }
@@ -66,7 +85,7 @@ const std::vector<double>& TilePairs::at(int dx, int dy) {
   std::vector<double> weights = drawn_.empty() ? exact(dx, dy) : counted(dx, dy);
   const std::size_t tiles = numbers_.size();
   std::vector<std::size_t> alone;  // the tiles with four equal corners tile a torus of one tile
-  for (std::size_t t = 0; t < tiles; ++t) {
+  for (std::size_t t = 0; t < tiles && !bounded_; ++t) {
     const auto c = tile_colours(colours_, numbers_[t]);
     if (c[0] == c[1] && c[0] == c[2] && c[0] == c[3]) alone.push_back(t);
   }

@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "points/measure.h"
+#include "points/measure_bounded.h"
 
 namespace capcon {
 
@@ -21,7 +22,8 @@ TilingFigures tiling_figures(const TileSet& set, std::uint32_t a, std::uint32_t 
   TilingFigures f{tiling.size(), ranks, count};
   double energy2 = 0, delta2 = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const Measures m = measure(fresh_tiling(set, tiling, ranks, i, seed));
+    const Points points = fresh_tiling(set, tiling, ranks, i, seed);
+    const Measures m = set.bounded() ? measure_bounded(points) : measure(points);
     f.energy += m.energy / count;
     f.delta_mean += m.delta_mean / count;
     f.delta_min += m.delta_min / count;

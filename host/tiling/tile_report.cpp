@@ -5,24 +5,28 @@
 
 #include "points/ccvt.h"
 #include "points/fpo.h"
+#include "points/measure_bounded.h"
+#include "points/region_ccvt.h"
 
 namespace capcon {
 namespace {
 
 constexpr std::uint32_t kUntiled = 1024;  // points of the comparison, about
 
-Points untiled_points(const TileReportOptions& options, std::uint32_t sites, std::uint64_t seed) {
+Measures untiled_figures(const TileReportOptions& options, bool bounded, std::uint32_t sites,
+                         std::uint64_t seed) {
   if (options.farthest) {
     FpoOptions fpo_options;
     fpo_options.n = sites;
     fpo_options.seed = seed;
-    return fpo(fpo_options);
+    return measure(fpo(fpo_options));
   }
   CcvtOptions ccvt_options;
   ccvt_options.sites = sites;
   ccvt_options.capacity = options.capacity;
   ccvt_options.seed = seed;
-  return ccvt(ccvt_options).points;
+  if (bounded) return measure_bounded(region_ccvt({Domain::kSquare, {}}, ccvt_options));
+  return measure(ccvt(ccvt_options).points);
 }
 
 }  // namespace
@@ -47,16 +51,17 @@ TileReport examine_tiles(const TileSet& set, const TileReportOptions& options) {
   TileReport report;
   std::vector<Measures> untiled;
   for (std::uint32_t s = 1; s <= options.untiled_sets; ++s, progress())
-    untiled.push_back(measure(untiled_points(options, side * side * nt, s)));
+    untiled.push_back(untiled_figures(options, set.bounded(), side * side * nt, s));
   report.untiled = mean_of(untiled);
 
-  const std::pair<std::uint32_t, std::uint32_t> shapes[] = {{1, 0}, {1, 1}, {2, 0},
-                                                            {2, 2}, {4, 0}, {side, 0}};
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> shapes = {{1, 0}, {1, 1}, {2, 0},
+                                                                 {2, 2}, {4, 0}, {side, 0}};
+  if (set.bounded()) shapes = {{2, 0}, {3, 0}, {4, 0}, {side, 0}};
   for (const auto& [a, b] : shapes) {
     report.tilings.push_back(tiling_figures(set, a, b, nt, options.tilings, kSeed));
     progress();
   }
-  for (std::uint32_t r = 1; r <= nt; r *= 2)
+  for (std::uint32_t r = 1; r <= nt && !set.bounded(); r *= 2)
     report.alone.push_back(tiling_figures(set, 1, 0, r, options.tilings, kSeed));
   for (std::uint32_t r = 1; r <= nt; ++r) {
     report.prefixes.push_back(tiling_figures(set, TileReport::kSide, 0, r, options.prefix_tilings, kSeed));

@@ -28,8 +28,9 @@ struct TileReport {
   static constexpr double kPrefix = 0.70;     ///< least delta_mean of every prefix
   static constexpr std::uint32_t kSide = 8;   ///< tiles along a side, for prefixes and spectrum
 
-  std::vector<TilingFigures> tilings;   ///< 1, 2, 4, 8, 16 tiles and at last about 1024 points
-  std::vector<TilingFigures> alone;     ///< the first 1, 2, 4, ... points of one-tile tilings
+  std::vector<TilingFigures> tilings;   ///< 1, 2, 4, 8, 16 tiles (bounded: 4, 9, 16) and at last about 1024
+                                        ///< points
+  std::vector<TilingFigures> alone;     ///< the first 1, 2, 4, ... points of one-tile tilings; bounded: none
   std::vector<TilingFigures> prefixes;  ///< [r - 1]: the first r points of every tile of kSide x kSide
   Measures untiled;                     ///< means of sets as large as the last tilings
   double energy_ratio = 0, delta_mean_ratio = 0;  ///< of the last tilings to these

@@ -25,8 +25,11 @@ namespace {
 
 std::string body(const TileSet& set) {
   const bool complete = set.colouring == Colouring::free;
-  std::string text = fmt::format("capcon-tiles {}\ncolours {}\npoints {}\n", complete ? 1 : 2, set.colours,
-                                 set.points_per_tile);
+  std::string text = fmt::format("capcon-tiles {}\ncolours {}\npoints {}\n",
+                                 complete        ? 1
+                                 : set.bounded() ? 3
+                                                 : 2,
+                                 set.colours, set.points_per_tile);
   if (!complete) text += fmt::format("colouring {}\n", colouring_name(set.colouring));
   text += fmt::format("recipe {}\n", set.recipe);
   for (const std::uint32_t t : tile_numbers(set.colours, set.colouring)) {

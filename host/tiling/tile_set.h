@@ -22,7 +22,8 @@ std::string_view region_name(RegionKind kind);
 
 /// A set of corner tiles: tile number = colours of its corners (0,0), (1,0), (0,1), (1,1) read as a number in
 /// base `colours`, the first the lowest digit. A complete set has all colours^4 tiles, a compact one those
-/// whose sides its colouring allows.
+/// whose sides its colouring allows, a bounded one those that tilings of a square with a border need; the
+/// last of its colours is outside.
 struct TileSet {
   std::uint32_t colours = 2;
   std::uint32_t points_per_tile = 16;
@@ -36,10 +37,11 @@ struct TileSet {
     std::uint32_t slot = 0;  ///< which point of that region
   };
   /// tiles[t][r]: the point of rank r of tile number t. Any prefix of all tiles is well spread in any tiling.
-  /// colours^4 entries, those of tiles that a compact set does without are empty.
+  /// colours^4 entries, those of tiles that a compact or bounded set does without are empty.
   std::vector<std::vector<TilePoint>> tiles;
   Colouring colouring = Colouring::free;
 
+  bool bounded() const { return colouring == Colouring::bounded; }
   /// How many tiles there are.
   std::size_t tile_count() const {
     return std::size_t(std::ranges::count_if(tiles, [](const auto& t) { return !t.empty(); }));
@@ -60,7 +62,7 @@ std::uint64_t checksum(const TileSet& set);
 
 /// The shipped set tiles/c<colours>n<points>.tiles.
 TileSet shipped_tile_set(std::uint32_t colours = 2, std::uint32_t points_per_tile = 16);
-/// The shipped set tiles/<name>.tiles: c2n16, c2n64, c3n16-compact.
+/// The shipped set tiles/<name>.tiles: c2n16, c2n64, c3n16-compact, c2n16-bounded.
 TileSet shipped_tile_set(const std::string& name);
 
 }  // namespace capcon

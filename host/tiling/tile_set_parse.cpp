@@ -120,9 +120,9 @@ TileSet parse_tile_set(std::string_view text, const std::string& name) {
   Lines lines(text, name);
   Words magic(lines.next("'capcon-tiles 1'"), lines);
   if (magic.word() != "capcon-tiles") lines.fail("not a tile set: the first line should be 'capcon-tiles 1'");
-  if (magic.rest() != "1" && magic.rest() != "2")
-    lines.fail(fmt::format("version '{}' of the format is not known, only 1 and 2", magic.rest()));
-  const bool compact = magic.rest() == "2";
+  if (magic.rest() != "1" && magic.rest() != "2" && magic.rest() != "3")
+    lines.fail(fmt::format("version '{}' of the format is not known, only 1, 2 and 3", magic.rest()));
+  const bool compact = magic.rest() == "2", bounded = magic.rest() == "3";
   TileSet set;
   set.colours = field(lines, "colours", 1, kMaxColours);
   set.points_per_tile = field(lines, "points", 1, kMaxPoints);
@@ -130,6 +130,14 @@ TileSet parse_tile_set(std::string_view text, const std::string& name) {
     if (lines.next("'colouring apart'") != "colouring apart")
       lines.fail("'colouring apart' should stand here: version 2 holds compact sets, and these only");
     set.colouring = Colouring::apart;
+  }
+  if (bounded) {
+    if (set.colours < 2)
+      throw InputError({lines.place().file, 2, 0},
+                       "a bounded set has 2 colours or more: the last one is outside");
+    if (lines.next("'colouring bounded'") != "colouring bounded")
+      lines.fail("'colouring bounded' should stand here: version 3 holds bounded sets, and these only");
+    set.colouring = Colouring::bounded;
   }
   Words recipe(lines.next("'recipe <command>'"), lines);
   if (recipe.word() != "recipe") lines.fail("'recipe <command>' should stand here");
@@ -141,7 +149,10 @@ TileSet parse_tile_set(std::string_view text, const std::string& name) {
   for (const std::uint32_t t : numbers) {
     if (lines.next("'tile <number>'") != fmt::format("tile {}", t))
       lines.fail(fmt::format("'tile {}' should stand here: a {} set has {} tiles of {} points, in order", t,
-                             compact ? "compact" : "complete", numbers.size(), set.points_per_tile));
+                             compact   ? "compact"
+                             : bounded ? "bounded"
+                                       : "complete",
+                             numbers.size(), set.points_per_tile));
     for (std::uint32_t r = 0; r < set.points_per_tile; ++r) {
       set.tiles[t].push_back(tile_point(lines));
       places[t].push_back(lines.place());

@@ -57,7 +57,7 @@ TEST(TileSet, RoundTripKeepsEveryBit) {
 TEST(TileSet, WrongFirstLines) {
   EXPECT_THAT(message(""), StartsWith("my.tiles:1: the file ends here"));
   EXPECT_THAT(message("ply\n"), StartsWith("my.tiles:1: not a tile set"));
-  EXPECT_THAT(message("capcon-tiles 3\n"), StartsWith("my.tiles:1: version '3'"));
+  EXPECT_THAT(message("capcon-tiles 4\n"), StartsWith("my.tiles:1: version '4'"));
   EXPECT_THAT(message(edited(shared_set(), "colours 2", "colours two")),
               StartsWith("my.tiles:2: 'two' is not"));
   EXPECT_THAT(message(edited(shared_set(), "colours 2", "colours 0")),
