@@ -35,6 +35,9 @@ const std::vector<std::pair<std::string, Maker>>& makers() {
       {"pmj02", make_pmj02_sampler}};
   return all;
 }
+
+// For some numbers of points only: not among sampler_names().
+constexpr std::string_view kBounded = "capcon-bounded";
 }  // namespace
 
 std::uint32_t coprime_stride(std::uint32_t count) {
@@ -76,9 +79,11 @@ std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count
   for (const auto& [known, maker] : makers()) {
     if (known == name) return maker(count, seed, parts);
   }
-  throw InputError(
-      fmt::format("there is no sampler \"{}\"; choose one of: {}; or file:PATH for your own points", name,
-                  fmt::join(sampler_names(), " ")));
+  if (name == kBounded) return make_capcon_bounded_sampler(count, seed, parts);
+  throw InputError(fmt::format(
+      "there is no sampler \"{}\"; choose one of: {}; {} for 64, 144, 256, ... points; or file:PATH for your "
+      "own points",
+      name, fmt::join(sampler_names(), " "), kBounded));
 }
 
 }  // namespace capcon

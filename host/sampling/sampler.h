@@ -79,7 +79,7 @@ class Sampler {
 };
 
 /// Names that make_sampler knows: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton
-/// lattice pmj02.
+/// lattice pmj02. It knows capcon-bounded too, which makes sets of 16 k^2 points only, k >= 2.
 const std::vector<std::string>& sampler_names();
 
 /// Those that studies of ambient occlusion and of direct lighting compare unless told otherwise: all but fpo,

@@ -30,6 +30,11 @@ std::unique_ptr<Sampler> make_lattice_sampler(std::uint32_t count, std::uint32_t
 std::unique_ptr<Sampler> make_pmj02_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
 /// The shipped corner tiles: a stochastic toroidal tiling and a rotation a set.
 std::unique_ptr<Sampler> make_capcon_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
+/// The shipped bounded tiles: a stochastic tiling of the square without a seam and one of the square's
+/// symmetries a set, a random point in every point's cell. Unbiased. InputError for counts that are not 16
+/// k^2 with k 2 to 256.
+std::unique_ptr<Sampler> make_capcon_bounded_sampler(std::uint32_t count, std::uint32_t seed,
+                                                     std::uint32_t parts);
 
 /// Sets of an ensemble in the integral's own domain, without a seam: one of its sets and the domain's own
 /// symmetry (rotation, flips, a shift round the cylinder) by hash, a random point in every cell. Unbiased.

@@ -104,7 +104,7 @@ std::vector<FixedPoint> whole_tiling(const TileSet& set, const GaussianTiling& t
 
 TilingParts make_tiling_parts(const TileSet& set, const GaussianTiling& tiling, const CellPoints& points,
                               std::uint32_t parts) {
-  if (has_whole_tilings(tiling)) return partition_tilings(set, tiling, points, parts);
+  if (has_whole_tilings(tiling) && !set.bounded()) return partition_tilings(set, tiling, points, parts);
   // One point of a part a tile would leave it near a lattice: half as much again error at edges along it.
   if (points.extra == 0 && points.ranks % parts == 0 && points.ranks > parts)
     return deal_by_labels(set, tiling, points, parts);

@@ -27,7 +27,8 @@ struct TilingParts {
 /// Whether every colouring of a tiling has an order of its own: at most five tiles.
 bool has_whole_tilings(const GaussianTiling& tiling);
 
-/// `parts` divides the number of points. For complete sets of two colours. Deterministic.
+/// `parts` divides the number of points. For complete sets of two colours, and for bounded sets, whose few
+/// tiles are dealt as many are. Deterministic.
 TilingParts make_tiling_parts(const TileSet& set, const GaussianTiling& tiling, const CellPoints& points,
                               std::uint32_t parts);
 

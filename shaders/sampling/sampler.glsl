@@ -11,6 +11,7 @@ DATA_TEXELS(kBindSampler, sampler_texels);
 #include "sampling/pmj02.glsl"
 #include "sampling/rotated_set.glsl"
 #include "sampling/corner_tiles.glsl"
+#include "sampling/bounded_tiles.glsl"
 #include "sampling/domain_set.glsl"
 
 // The place in a set's own order of its point `index`, in any dimension pair but 0.
@@ -34,6 +35,7 @@ uvec2 sample_bits(uvec4 words, uint seed, uint count, uint pixel, uint index, ui
   if (kSampler == kSamplerCapcon) return sample_corner_tiles(words, seed, count, pixel, index, dimension);
   if (kSampler == kSamplerCapconDomain) return sample_domain_set(words, seed, count, pixel, index, dimension, domain);
   if (kSampler == kSamplerPmj02) return sample_pmj02(words, seed, count, pixel, index, dimension);
+  if (kSampler == kSamplerCapconBounded) return sample_bounded_tiles(words, seed, count, pixel, index, dimension);
   return sample_random(seed, pixel, index, dimension);
 }
 

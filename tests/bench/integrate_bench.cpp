@@ -1,6 +1,7 @@
 // What samplers err on the battery of docs/integrate.md, one set a trial:
 //   integrate_bench sets [trials] [samplers...]   MSE beside Owen-scrambled points, disk and square
 //   integrate_bench peers [trials] [samplers...]  the same of every family, with 95 % intervals
+//   integrate_bench square [trials] [samplers...] the same on the square, for 64, 256 and 1024 points
 //   integrate_bench parts [trials] [samplers...]  parts of trajectory splitting: their spacing, their error
 //                                                 beside whole sets of as many points, and that of their
 //                                                 union beside as many independent sets
@@ -130,10 +131,9 @@ Ratio ratio_of(const std::vector<double>& above, const std::vector<double>& belo
   return {a / b, kStudent * std::sqrt(squares * (kChunks - 1) / kChunks)};
 }
 
-void compare_peers(std::size_t trials, const std::vector<std::string>& samplers) {
-  const auto all = families({"edge-on-disk", "blocker", "leaves", "smooth-disk", "shaded-edge", "half-plane",
-                             "disk", "soft-shadow", "smooth"});
-  for (const std::uint32_t n : {16u, 64u, 256u}) {
+void compare_peers(std::size_t trials, const std::vector<std::string>& samplers,
+                   const std::vector<Family>& all, const std::vector<std::uint32_t>& counts) {
+  for (const std::uint32_t n : counts) {
     const std::size_t used = std::max<std::size_t>(1000, trials / (n / 16));
     const auto owen = make_sampler("sobol-owen", n, 1);
     std::map<std::string, std::vector<double>> base;
@@ -226,7 +226,14 @@ int main(int count, char** words) {
     compare_paths(trials, samplers);
   } else if (what == "peers") {
     if (samplers.empty()) samplers = {"lattice", "pmj02", "sobol-xor", "capcon-domain"};
-    compare_peers(trials, samplers);
+    compare_peers(trials, samplers,
+                  families({"edge-on-disk", "blocker", "leaves", "smooth-disk", "shaded-edge", "half-plane",
+                            "disk", "soft-shadow", "smooth"}),
+                  {16, 64, 256});
+  } else if (what == "square") {
+    if (samplers.empty()) samplers = {"capcon-bounded", "capcon-domain", "capcon"};
+    compare_peers(trials, samplers, families({"half-plane", "disk", "soft-shadow", "smooth", "product"}),
+                  {64, 256, 1024});
   } else {
     if (samplers.empty()) samplers = {"capcon-domain"};
     compare_sets(trials, samplers);
