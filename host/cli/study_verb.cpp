@@ -101,6 +101,7 @@ std::vector<std::uint32_t> splits_of(std::uint32_t combined) {
 nlohmann::json work(Options& o, const Ranks& ranks, const std::optional<Baseline>& baseline) {
   o.parts.check(ranks);
   if (!ranks.first()) o.runner.quiet = true;
+  o.runner.shares_device = share_a_device(o.device, ranks.size_of_machine());
   o.device = device_of_rank(o.device, ranks.on_this_machine());
   StudySettings& s = o.settings;
   settle_samplers(s);

@@ -26,6 +26,8 @@ class Ranks {
   bool first() const { return rank_ == 0; }
   /// This one's number, from 0, among those on the same machine.
   int on_this_machine() const { return on_this_machine_; }
+  /// How many there are on it.
+  int size_of_machine() const { return size_of_machine_; }
 
   /// Sends to another rank, and waits until that has it.
   void send(int to, std::span<const std::byte> bytes) const;
@@ -49,7 +51,7 @@ class Ranks {
   }
 
  private:
-  int rank_ = 0, size_ = 1, on_this_machine_ = 0;
+  int rank_ = 0, size_ = 1, on_this_machine_ = 0, size_of_machine_ = 1;
 };
 
 /// Whether this program can work with several ranks.

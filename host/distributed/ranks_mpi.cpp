@@ -62,6 +62,7 @@ Ranks::Ranks() {
   MPI_Comm here;
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &here);
   MPI_Comm_rank(here, &on_this_machine_);
+  MPI_Comm_size(here, &size_of_machine_);
   MPI_Comm_free(&here);
 }
 

@@ -1,5 +1,6 @@
 #include "distributed/share_renderer.h"
 
+#include <algorithm>
 #include <exception>
 #include <vector>
 
@@ -12,6 +13,20 @@ namespace {
 struct Rows {
   int first = 0, count = 0;
 };
+
+/// "0,1,3" as three, anything else as one: names may have commas.
+std::vector<std::string> listed(const std::string& devices) {
+  if (devices.find_first_not_of("0123456789,") != std::string::npos) return {devices};
+  std::vector<std::string> numbers(1);
+  for (const char c : devices) {
+    if (c == ',') {
+      numbers.emplace_back();
+    } else {
+      numbers.back() += c;
+    }
+  }
+  return numbers;
+}
 
 }  // namespace
 
@@ -52,17 +67,14 @@ void ShareRenderer::help() {
 }
 
 std::string device_of_rank(const std::string& devices, int on_this_machine) {
-  if (devices.find(',') == std::string::npos || devices.find_first_not_of("0123456789,") != std::string::npos)
-    return devices;  // a name, which may have commas
-  std::vector<std::string> numbers(1);
-  for (const char c : devices) {
-    if (c == ',') {
-      numbers.emplace_back();
-    } else {
-      numbers.back() += c;
-    }
-  }
+  const std::vector<std::string> numbers = listed(devices);
   return numbers[static_cast<std::size_t>(on_this_machine) % numbers.size()];
+}
+
+bool share_a_device(const std::string& devices, int ranks_of_machine) {
+  std::vector<std::string> numbers = listed(devices);
+  std::sort(numbers.begin(), numbers.end());
+  return std::unique(numbers.begin(), numbers.end()) - numbers.begin() < ranks_of_machine;
 }
 
 }  // namespace capcon

@@ -39,5 +39,7 @@ class ShareRenderer {
 /// The device of a rank: of several numbers, "0,1,3", the one for its number among those on its machine;
 /// whatever else is named is for all.
 std::string device_of_rank(const std::string& devices, int on_this_machine);
+/// Whether so many ranks have no device each.
+bool share_a_device(const std::string& devices, int ranks_of_machine);
 
 }  // namespace capcon

@@ -43,21 +43,23 @@ double Clocks::factor(const RunRecord& record) const {
 
 std::string Clocks::sentence() const {
   if (!several()) return {};
+  if (!comparable_) {
+    return fmt::format(
+        "Times come from {} clocks, of unlike devices or of processes side by side on one: samplers are not "
+        "compared "
+        "in equal time.",
+        all_.size());
+  }
   double least = all_.front().factor, most = least;
   for (const Clock& clock : all_) {
     least = std::min(least, clock.factor);
     most = std::max(most, clock.factor);
   }
-  const std::string scaled = fmt::format(
+  return fmt::format(
       "Times come from {} clocks; each is multiplied by what one and the same job took on the first, over "
-      "what it "
-      "took there ({:.2f} to {:.2f}).",
+      "what it took "
+      "there ({:.2f} to {:.2f}).",
       all_.size(), least, most);
-  return comparable_
-             ? scaled
-             : scaled +
-                   " They are of unlike devices or without a calibration: samplers are not compared in "
-                   "equal time.";
 }
 
 nlohmann::json to_json(const Clocks& clocks) {

@@ -20,7 +20,8 @@ struct Clock {
 
 /// Times of several clocks are not mixed as they are: each is multiplied by the first clock's calibration
 /// over its own, which is right where one machine is so many times as fast as another at everything. Between
-/// unlike devices, or without a calibration, that is not so, and samplers are not compared in equal time.
+/// unlike devices, or without a calibration (side by side on one device), it is not so: nothing is compared
+/// in equal time.
 class Clocks {
  public:
   explicit Clocks(const StudyResult& result);

@@ -35,11 +35,10 @@ struct Figure {
   std::string text;
 };
 
-std::optional<Figure> figure_of(const json& ratio, const json& study) {
-  const bool splitting = study.at("study") == "splitting";
+std::optional<Figure> figure_of(const json& ratio, const json& study, bool by_mse) {
   const json& samples = study.at("settings").at("samples");
-  const json& interval = ratio.at(splitting ? "mse_ratio" : "equal_error_samples");
-  const int beyond = splitting ? 0 : ratio.at("equal_error_beyond").get<int>();
+  const json& interval = ratio.at(by_mse ? "mse_ratio" : "equal_error_samples");
+  const int beyond = by_mse ? 0 : ratio.at("equal_error_beyond").get<int>();
   if (beyond < 0)
     return Figure{-std::numeric_limits<double>::infinity(), 0, fmt::format("< {}", samples.front().dump())};
   if (beyond > 0)
@@ -64,10 +63,10 @@ const json* find_ratio(const json& study, const json& like) {
 struct Change {
   double difference, half;
 };
-Change change_of(const Figure& was, const Figure& is, const json& samples) {
+Change change_of(const Figure& was, const Figure& is, const json& samples, bool by_mse) {
+  if (by_mse) return {is.value - was.value, std::hypot(was.half, is.half)};
   const double least = std::log(samples.front().get<double>()), most = std::log(samples.back().get<double>());
-  if (was.value > most || is.value < least)
-    return {0, 0};  // it cannot be worse than that, or better than this
+  if (is.value < least) return {0, 0};  // it cannot be better
   const double from = std::max(was.value, std::isinf(was.value) ? least : was.value);
   const double to = std::isinf(is.value) ? most : is.value;
   return {to - from, std::hypot(was.half, is.half)};
@@ -87,7 +86,7 @@ Baseline read_baseline(const fs::path& file) {
     for (const json& ratio : j.at("ratios")) {
       for (const char* name : {"sampler", "baseline"}) ratio.at(name).get_ref<const std::string&>();
       ratio.at("samples").get<std::uint32_t>();
-      figure_of(ratio, j);
+      for (const bool by_mse : {false, true}) figure_of(ratio, j, by_mse);
     }
   } catch (const json::exception&) {
     throw InputError(SourcePlace{file.string(), 0, 0},
@@ -126,28 +125,29 @@ Regression find_regressions(const Baseline& baseline, const json& study) {
   for (const json& before : baseline.json.at("ratios")) {
     // A naive variant beside its own sampler says nothing bad where the latter got better.
     if (before.at("baseline") != "sobol-xor" && before.at("baseline") != "sobol-owen") continue;
-    const auto was = figure_of(before, baseline.json);
+    const bool by_mse = study.at("study") == "splitting" || before.at("equal_error_beyond") == 1;
+    const auto was = figure_of(before, baseline.json, by_mse);
     const json* now = find_ratio(study, before);
-    const auto is = now ? figure_of(*now, study) : std::nullopt;
+    const auto is = now ? figure_of(*now, study, by_mse) : std::nullopt;
     if (!was || !is) {
       ++result.skipped;
       continue;
     }
     ++result.compared;
-    const Change change = change_of(*was, *is, samples);
+    const Change change = change_of(*was, *is, samples, by_mse);
     if (!(change.difference > change.half) || change.difference < 1e-9) continue;
     result.worse.push_back({before.at("sampler").get<std::string>(), before.at("baseline").get<std::string>(),
                             before.at("samples").get<std::uint32_t>(), was->text, is->text,
-                            std::exp(change.difference)});
+                            std::exp(change.difference), by_mse});
   }
   return result;
 }
 
 std::string sentence(const Worsening& w, const json& study) {
-  if (study.at("study") == "splitting")
-    return fmt::format("{}: MSE beside {}'s at {} image samples is {}, was {}: {} times as much", w.sampler,
-                       w.baseline, w.samples, w.is, w.was, short_number(w.factor));
   const char* unit = study.at("study") == "igi" ? "sets" : "samples";
+  if (w.by_mse)
+    return fmt::format("{}: MSE beside that of {} at {} {} is {}, was {}: {} times as much", w.sampler,
+                       w.baseline, w.samples, unit, w.is, w.was, short_number(w.factor));
   return fmt::format("{}: {} needed for the error of {} {} of {} are {}, were {}: {} times as many",
                      w.sampler, unit, w.samples, unit, w.baseline, w.is, w.was, short_number(w.factor));
 }
@@ -160,6 +160,7 @@ json to_json(const Regression& regression, const Baseline& baseline) {
                      {"samples", w.samples},
                      {"was", w.was},
                      {"is", w.is},
+                     {"figure", w.by_mse ? "mse_ratio" : "equal_error_samples"},
                      {"factor", w.factor}});
   }
   return {{"against", baseline.file.string()},

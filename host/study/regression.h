@@ -29,6 +29,7 @@ struct Worsening {
   std::uint32_t samples = 0;
   std::string was, is;  ///< "57.0 (56.0–58.0)", "> 256"
   double factor = 1;    ///< how much more it is, at least
+  bool by_mse = false;  ///< the figure is a ratio of MSE, at equal samples
 };
 
 /// Every figure of the baseline beside that of the study.
@@ -38,9 +39,10 @@ struct Regression {
   std::size_t skipped = 0;  ///< without an interval, then or now
 };
 
-/// Compares the figures of equal error (splitting, where all counts are the same work: the MSE ratios) beside
-/// sobol-xor and sobol-owen. A figure x worsened where the 95 % interval of log(x now / x then) lies above 0;
-/// its half width is sqrt(h_now^2 + h_then^2) of the two figures' own, in logarithms: both were measured
+/// Compares the figures of equal error beside sobol-xor and sobol-owen; the ratios of MSE at equal samples
+/// where more samples were needed then than were measured, and in a study of splitting, where all counts are
+/// the same work. A figure x worsened where the 95 % interval of log(x now / x then) lies above 0; its half
+/// width is sqrt(h_now^2 + h_then^2) of the two figures' own, in logarithms: both were measured
 /// independently, and Student's t of either's seeds is no smaller than that of the difference. A figure that
 /// is beyond what was measured counts as the end that it is beyond of. `study`: a study.json.
 Regression find_regressions(const Baseline& baseline, const nlohmann::json& study);

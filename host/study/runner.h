@@ -25,6 +25,9 @@ struct RunnerOptions {
   std::filesystem::path directory;
   bool fresh = false;  ///< measure again what is already there
   bool quiet = false;
+  /// Of a process of several: others work on the same device meanwhile, so that no time of it can be
+  /// compared.
+  bool shares_device = false;
 };
 
 /// All that was measured.

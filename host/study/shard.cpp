@@ -118,7 +118,7 @@ StudyResult run_shard(const StudySettings& settings, const StudyDevice& device, 
   if (keeps_images(settings.integral)) images = run_images(folder, hash);
   RunRecord by;
   by.process = fmt::format("{} on {}", shard.str(), host_name());
-  if (!done) by.calibration_seconds = work.calibration_seconds();
+  if (!done && !options.shares_device) by.calibration_seconds = work.calibration_seconds();
   work.measure_all(result, images ? &*images : nullptr, by);
   return result;
 }

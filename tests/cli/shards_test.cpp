@@ -129,6 +129,10 @@ TEST(Ranks, RenderOneImageTogether) {
 TEST(Ranks, TakeTheDevicesInTurn) {
   EXPECT_EQ(device_of_rank("0,2,5", 1), "2");
   EXPECT_EQ(device_of_rank("0,2,5", 3), "0");
+  EXPECT_FALSE(share_a_device("0,2,5", 3));
+  EXPECT_TRUE(share_a_device("0,2,0", 3));
+  EXPECT_TRUE(share_a_device("best", 2));
+  EXPECT_FALSE(share_a_device("best", 1));
   for (const char* all : {"best", "3", "llvmpipe (LLVM 15.0.6, 256 bits)"})
     EXPECT_EQ(device_of_rank(all, 1), all);
 }

@@ -99,7 +99,15 @@ TEST(Regression, TheIntervalOfTheDifferenceDecides) {
   EXPECT_EQ(worse(with(any, 0, 0, -1), with(any, 2.1, 1.1)), 0u);
   EXPECT_EQ(worse(with(any, 0, 0, -1), with(any, 2.3, 1.1)), 1u);
   EXPECT_EQ(worse(with(any, 0, 0, -1), with(any, 0, 0, 1)), 1u);
-  EXPECT_EQ(worse(with(any, 0, 0, 1), with(any, 0, 0, 1)), 0u);
+  // Beyond then: the MSE at equal samples decides.
+  const auto of_mse = [&](double value, double half) {
+    nlohmann::json study = with(any, 0, 0, 1);
+    study["ratios"].front()["mse_ratio"] = {{"value", value}, {"low", value / half}, {"high", value * half}};
+    return study;
+  };
+  EXPECT_EQ(worse(of_mse(1.5, 1.1), of_mse(1.6, 1.1)), 0u);
+  EXPECT_EQ(worse(of_mse(1.5, 1.1), of_mse(1.8, 1.1)), 1u);
+  EXPECT_EQ(worse(of_mse(1.8, 1.1), of_mse(1.5, 1.1)), 0u);
   EXPECT_EQ(worse(with(any, 10, 1.1), with(any, 0, 0, -1)), 0u);
 }
 
