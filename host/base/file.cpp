@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/data_folder.h"
 #include "base/error.h"
 #include "base/stop.h"
 
@@ -151,6 +152,7 @@ fs::path shipped_file(const fs::path& relative) {
     return fs::exists(root / relative, error);
   };
   if (const char* root = std::getenv("CAPCON_DATA"); root && attempt(root)) return fs::path(root) / relative;
+  if (const fs::path named = data_folder(); !named.empty() && attempt(named)) return named / relative;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path installed = program.parent_path().parent_path() / "share" / "capcon";
   if (!program.empty() && attempt(installed)) return installed / relative;
