@@ -55,11 +55,27 @@ void JobOptions::add_to(CLI::App& verb) {
           "global illumination; path: path tracing, on the reference alone")
       ->capture_default_str()
       ->check(CLI::IsMember({"ao", "direct", "igi", "path"}));
-  verb.add_option(
-          "--sampler", sampler,
-          "Where sample points come from: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo "
-          "halton lattice pmj02, or file:PATH[:shift|xor|none][:sequence] for your own")
-      ->capture_default_str();
+  auto* name =
+      verb.add_option("--sampler", sampler,
+                      "Where sample points come from: random jittered sobol-xor sobol-owen ccvt capcon "
+                      "capcon-domain fpo halton lattice pmj02 sobol-z capcon-screen capcon-bounded, or "
+                      "file:PATH[:shift|xor|none][:sequence] for your own")
+          ->capture_default_str();
+  auto* on_screen =
+      verb.add_option("--screen", screen,
+                      "blue: sets are given to pixels so that the image's error is blue noise, which eye and "
+                      "denoiser smooth away: capcon-domain becomes capcon-screen (at most 256 samples)")
+          ->capture_default_str()
+          ->check(CLI::IsMember({"none", "blue"}));
+  verb.parse_complete_callback([this, name, on_screen] {
+    if (on_screen->count() == 0 || screen != "blue") return;
+    if (name->count() > 0 && sampler != "capcon-domain" && sampler != "capcon-screen") {
+      throw InputError(
+          "--screen blue is for --sampler capcon-domain; sobol-z has an order of its own on the "
+          "screen, other samplers none");
+    }
+    sampler = "capcon-screen";
+  });
   auto* count = verb.add_option("--samples", samples,
                                 "ao: occlusion rays a pixel; direct, igi: as --split 1xN; path: paths")
                     ->capture_default_str()

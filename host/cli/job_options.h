@@ -12,7 +12,7 @@ namespace capcon::cli {
 /// The options that say what is estimated, of `capcon render`.
 struct JobOptions {
   std::string integrator = "ao", sampler = "capcon", position = "centre", split, filter = "box",
-              strategy = "power";
+              strategy = "power", screen = "none";
   double radius = std::numeric_limits<double>::infinity();
   std::uint32_t samples = 16, seed = 1;
   bool no_partition = false;

@@ -9,6 +9,7 @@
 namespace capcon {
 namespace {
 
+template <EnsembleDomain domain>
 class Pair {
  public:
   Pair(const std::vector<glm::vec3>& centres, std::uint32_t* a, std::uint32_t* b, std::uint32_t n)
@@ -21,7 +22,8 @@ class Pair {
     }
     for (std::uint32_t i = 0; i < m_; ++i) {
       float* row = &distance_[std::size_t(i) * m_];
-      for (std::uint32_t j = 0; j < m_; ++j) row[j] = spread_distance(x[i] - x[j], y[i] - y[j], z[i] - z[j]);
+      for (std::uint32_t j = 0; j < m_; ++j)
+        row[j] = spread_distance<domain>(x[i] - x[j], y[i] - y[j], z[i] - z[j]);
       const float sign = i < n ? 1.0f : -1.0f;
       for (std::uint32_t j = 0; j < m_; ++j) lead_[j] += sign * row[j];
     }
@@ -103,8 +105,17 @@ class Pair {
 
 }  // namespace
 
-bool swap_cells(const std::vector<glm::vec3>& centres, std::uint32_t* a, std::uint32_t* b, std::uint32_t n) {
-  return Pair(centres, a, b, n).run();
+bool swap_cells(EnsembleDomain domain, const std::vector<glm::vec3>& centres, std::uint32_t* a,
+                std::uint32_t* b, std::uint32_t n) {
+  switch (domain) {
+    case EnsembleDomain::square:
+      return Pair<EnsembleDomain::square>(centres, a, b, n).run();
+    case EnsembleDomain::disk:
+      return Pair<EnsembleDomain::disk>(centres, a, b, n).run();
+    case EnsembleDomain::cylinder:
+      break;
+  }
+  return Pair<EnsembleDomain::cylinder>(centres, a, b, n).run();
 }
 
 }  // namespace capcon

@@ -5,19 +5,37 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "points/ensemble.h"
+
 namespace capcon {
 
-/// What swaps raise the sum of within a set: the distance, and a short-ranged part that decides where
-/// half-planes leave a choice, as between all pairs of two points on opposite sides of the middle.
+/// What swaps raise the sum of within a set, over pairs of its points: the distance, which makes the mean
+/// squared discrepancy over half-planes small (of caps of the sphere for the cylinder), and
+/// - a short-ranged part that decides where half-planes leave a choice, as between all pairs of two points on
+///   opposite sides of the middle;
+/// - in the square and the disk the distance along either axis: half-planes along them, which scenes with
+///   straight walls have more of than others;
+/// - in the disk a power of the distance on the hemisphere above it: caps, as what occludes near the horizon.
+/// (dx, dy, dz): between the points, dz on the hemisphere above the disk, on the sphere for the cylinder.
+template <EnsembleDomain domain>
 inline float spread_distance(float dx, float dy, float dz) {
-  constexpr float kShort = 0.05f, kRange = 0.3f;
-  const float d = std::sqrt(dx * dx + dy * dy + dz * dz);
-  return d + kShort * d / (kRange + d);
+  constexpr float kShort = 0.05f, kRange = 0.3f, kAlong = 0.2f, kAbove = 1.0f;
+  const float flat = dx * dx + dy * dy, all = flat + dz * dz;
+  const float d = std::sqrt(domain == EnsembleDomain::cylinder ? all : flat);
+  float spread = d + kShort * d / (kRange + d);
+  if constexpr (domain != EnsembleDomain::cylinder) spread += kAlong * (std::abs(dx) + std::abs(dy));
+  if constexpr (domain == EnsembleDomain::disk) spread += kAbove * std::sqrt(std::sqrt(all));
+  return spread;
 }
 
-/// Two sets a and b of n cells each swap cells while that raises the sum, within the sets, of d + 0.05 d /
-/// (0.3 + d), d the distance of two cells' centres; at most three passes. Returns whether anything was
-/// swapped. O(n^2) a pass.
-bool swap_cells(const std::vector<glm::vec3>& centres, std::uint32_t* a, std::uint32_t* b, std::uint32_t n);
+/// Where spread_distance has a point of the unit square: in space (in_space), on the hemisphere above the
+/// disk.
+glm::vec3 spread_place(EnsembleDomain domain, glm::dvec2 p);
+
+/// Two sets a and b of n cells each swap cells while that raises the sum, within the sets, of
+/// spread_distance of two cells' centres; at most three passes. Returns whether anything was swapped. O(n^2)
+/// a pass.
+bool swap_cells(EnsembleDomain domain, const std::vector<glm::vec3>& centres, std::uint32_t* a,
+                std::uint32_t* b, std::uint32_t n);
 
 }  // namespace capcon

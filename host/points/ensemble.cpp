@@ -43,7 +43,7 @@ glm::dvec2 centre(const Ensemble& e, std::uint32_t cell) {
 
 std::vector<glm::vec3> centres_of(const Ensemble& e, EnsembleDomain domain) {
   std::vector<glm::vec3> centres(e.cells.size());
-  for (std::uint32_t c = 0; c < centres.size(); ++c) centres[c] = glm::vec3(in_space(domain, centre(e, c)));
+  for (std::uint32_t c = 0; c < centres.size(); ++c) centres[c] = spread_place(domain, centre(e, c));
   return centres;
 }
 
@@ -119,6 +119,12 @@ glm::dvec3 in_space(EnsembleDomain domain, glm::dvec2 u) {
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
+glm::vec3 spread_place(EnsembleDomain domain, glm::dvec2 u) {
+  glm::dvec3 p = in_space(domain, u);
+  if (domain == EnsembleDomain::disk) p.z = std::sqrt(std::max(0.0, 1 - p.x * p.x - p.y * p.y));
+  return p;
+}
+
 bool can_make_ensemble(std::uint32_t points) {
   if (points <= kMostWhole) return points > 0;
   const std::uint32_t wished = wished_sets({.points = points});
@@ -137,8 +143,8 @@ Ensemble make_ensemble(const EnsembleOptions& options) {
   const std::vector<glm::vec3> centres = centres_of(e, options.domain);
   if (n > kMostWhole) {
     const double round_cost = 1.0 * e.sets * n * n;
-    swap_near(e, centres, std::max(8u, static_cast<std::uint32_t>(options.effort / round_cost)),
-              options.seed);
+    swap_near(e, options.domain, centres,
+              std::max(8u, static_cast<std::uint32_t>(options.effort / round_cost)), options.seed);
     return e;
   }
   const double meeting_cost = 4.0 * n * n;
@@ -154,7 +160,8 @@ Ensemble make_ensemble(const EnsembleOptions& options) {
       auto meetings = tournament.meetings(season, round);
       const auto meet = [&](std::size_t k) {
         auto& m = meetings[k];
-        m.changed = swap_cells(centres, &e.cells[std::size_t(m.a) * n], &e.cells[std::size_t(m.b) * n], n);
+        m.changed = swap_cells(options.domain, centres, &e.cells[std::size_t(m.a) * n],
+                               &e.cells[std::size_t(m.b) * n], n);
       };
       if (meetings.size() <= grain) {
         for (std::size_t k = 0; k < meetings.size(); ++k) meet(k);
@@ -190,7 +197,7 @@ void deal_parts(Ensemble& e, EnsembleDomain domain, std::uint32_t parts) {
       any = false;
       for (std::uint32_t a = 0; a < parts; ++a)
         for (std::uint32_t b = a + 1; b < parts; ++b)
-          any = swap_cells(centres, set + a * points, set + b * points, points) || any;
+          any = swap_cells(domain, centres, set + a * points, set + b * points, points) || any;
     }
   });
 }

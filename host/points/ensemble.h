@@ -44,10 +44,11 @@ struct EnsembleOptions {
 /// Deals the cells of a grid to sets (ensemble_start.h), and swaps cells between two sets while that lowers
 /// the sum of their energy distances to the domain, ED(X) = (2/n) sum u(x_i) - (1/n^2) sum |x_i - x_j| -
 /// const (Szekely and Rizzo 2013): the mean squared discrepancy over half-planes (over caps of the
-/// sphere, for the cylinder). The sum over u does not change, so that what counts is the distances within the
-/// sets. Meetings of sets that have no set in common are worked on at the same time; the result is the same
-/// for any number of threads. Beyond 1024 points only cells near each other are swapped (near_swaps.h).
-/// InputError where can_make_ensemble says no.
+/// sphere, for the cylinder); other terms weigh some of them more (spread_distance in cell_swaps.h). The sum
+/// over u does not change, so that what counts is the distances within the sets. Meetings of sets that have
+/// no set in common are worked on at the same time; the result is the same for any number of threads. Beyond
+/// 1024 points only cells near each other are swapped (near_swaps.h). InputError where can_make_ensemble says
+/// no.
 Ensemble make_ensemble(const EnsembleOptions& options);
 
 /// Orders the cells of every set so that cells p * n / parts ... (p + 1) * n / parts - 1, part p, cover the

@@ -23,6 +23,7 @@ constexpr int kPasses = 2;
 constexpr std::uint32_t kInBin = 4;
 constexpr int kReach = 2;
 
+template <EnsembleDomain domain>
 struct Cells {
   std::vector<float> x, y, z;
   void add(glm::vec3 c) {
@@ -32,13 +33,14 @@ struct Cells {
   }
   std::size_t size() const { return x.size(); }
   float distance(std::size_t i, std::size_t j) const {
-    return spread_distance(x[i] - x[j], y[i] - y[j], z[i] - z[j]);
+    return spread_distance<domain>(x[i] - x[j], y[i] - y[j], z[i] - z[j]);
   }
 };
 
 /// Adds to rows[i] the sum of distances from cell i of `a` to all of `b`, and to columns[j] the other way
 /// round. Sums are of 64 floats at most, then of doubles: gains are far smaller than they.
-void add_distances(const Cells& a, const Cells& b, double* rows, double* columns) {
+template <EnsembleDomain domain>
+void add_distances(const Cells<domain>& a, const Cells<domain>& b, double* rows, double* columns) {
   constexpr std::size_t kBlock = 64;
   std::vector<float> column(b.size());
   for (std::size_t first = 0; first < a.size(); first += kBlock) {
@@ -50,7 +52,7 @@ void add_distances(const Cells& a, const Cells& b, double* rows, double* columns
         const std::size_t length = std::min(kBlock, b.size() - from);
         float d[kBlock];
         for (std::size_t k = 0; k < length; ++k) {
-          d[k] = spread_distance(x - b.x[from + k], y - b.y[from + k], z - b.z[from + k]);
+          d[k] = spread_distance<domain>(x - b.x[from + k], y - b.y[from + k], z - b.z[from + k]);
           column[from + k] += d[k];
         }
         float lanes[8] = {};
@@ -66,13 +68,14 @@ void add_distances(const Cells& a, const Cells& b, double* rows, double* columns
   }
 }
 
+template <EnsembleDomain domain>
 class NearSwaps {
  public:
   NearSwaps(Ensemble& e, const std::vector<glm::vec3>& centres)
       : e_(e), centres_(centres), n_(e.cells.size() / e.sets), own_(e.cells.size()) {
     side_ = std::max(1u, static_cast<std::uint32_t>(std::sqrt(double(n_) / kInBin)));
     parallel_for(e.sets, [&](std::size_t s) {
-      const Cells cells = cells_of(s);
+      const Cells<domain> cells = cells_of(s);
       std::vector<double> unused(n_);
       add_distances(cells, cells, &own_[s * n_], unused.data());
     });
@@ -112,7 +115,7 @@ class NearSwaps {
  private:
   /// Two sets' cells, those of the first first.
   struct Meeting {
-    Cells cells;
+    Cells<domain> cells;
     std::vector<std::uint32_t> names;
     std::vector<double> sum;                      ///< of distances to the cells of both sets
     std::vector<float> lead;                      ///< to those of the first less those of the second
@@ -120,8 +123,8 @@ class NearSwaps {
     std::vector<std::uint32_t> in_bin, bin_ends;  ///< the cells by bins, and where a bin ends
   };
 
-  Cells cells_of(std::size_t set) const {
-    Cells cells;
+  Cells<domain> cells_of(std::size_t set) const {
+    Cells<domain> cells;
     for (std::size_t i = set * n_; i < (set + 1) * n_; ++i) cells.add(centres_[e_.cells[i]]);
     return cells;
   }
@@ -178,11 +181,11 @@ class NearSwaps {
     }
     if (q == p) return false;
     if constexpr (kChecks) check_swap(m, p, q, most);
-    const Cells& c = m.cells;
+    const Cells<domain>& c = m.cells;
     const float px = c.x[p], py = c.y[p], pz = c.z[p], qx = c.x[q], qy = c.y[q], qz = c.z[q];
     for (std::size_t k = 0; k < c.size(); ++k) {
-      m.lead[k] += 2 * (spread_distance(c.x[k] - qx, c.y[k] - qy, c.z[k] - qz) -
-                        spread_distance(c.x[k] - px, c.y[k] - py, c.z[k] - pz));
+      m.lead[k] += 2 * (spread_distance<domain>(c.x[k] - qx, c.y[k] - qy, c.z[k] - qz) -
+                        spread_distance<domain>(c.x[k] - px, c.y[k] - py, c.z[k] - pz));
     }
     std::swap(m.first[p], m.first[q]);
     p = q;
@@ -217,10 +220,9 @@ class NearSwaps {
   std::vector<double> own_;  ///< [set * n + i]: the sum of distances from cell i to its set's cells
 };
 
-}  // namespace
-
-void swap_near(Ensemble& e, const std::vector<glm::vec3>& centres, std::uint32_t rounds, std::uint64_t seed) {
-  NearSwaps swaps(e, centres);
+template <EnsembleDomain domain>
+void swap_in(Ensemble& e, const std::vector<glm::vec3>& centres, std::uint32_t rounds, std::uint64_t seed) {
+  NearSwaps<domain> swaps(e, centres);
   std::vector<std::uint32_t> order(e.sets);
   for (std::uint32_t round = 0; round < rounds; ++round) {
     swaps.begin_round(round);
@@ -228,6 +230,20 @@ void swap_near(Ensemble& e, const std::vector<glm::vec3>& centres, std::uint32_t
     for (std::size_t i = order.size(); i > 1; --i)
       std::swap(order[i - 1], order[mix64(seed, kPairStream + round, i) % i]);
     parallel_for(e.sets / 2, [&](std::size_t k) { swaps.meet(order[2 * k], order[2 * k + 1]); });
+  }
+}
+
+}  // namespace
+
+void swap_near(Ensemble& e, EnsembleDomain domain, const std::vector<glm::vec3>& centres,
+               std::uint32_t rounds, std::uint64_t seed) {
+  switch (domain) {
+    case EnsembleDomain::square:
+      return swap_in<EnsembleDomain::square>(e, centres, rounds, seed);
+    case EnsembleDomain::disk:
+      return swap_in<EnsembleDomain::disk>(e, centres, rounds, seed);
+    case EnsembleDomain::cylinder:
+      return swap_in<EnsembleDomain::cylinder>(e, centres, rounds, seed);
   }
 }
 

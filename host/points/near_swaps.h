@@ -13,7 +13,7 @@ namespace capcon {
 /// raised is the same sum of all distances within the sets. Each set's sums of distances to its own cells are
 /// kept from round to round, so that a meeting computes only those between its two sets, and keeps none:
 /// n^2 and 4 n a swap. `centres`: of the cells, in space. The same for any number of threads.
-void swap_near(Ensemble& ensemble, const std::vector<glm::vec3>& centres, std::uint32_t rounds,
-               std::uint64_t seed);
+void swap_near(Ensemble& ensemble, EnsembleDomain domain, const std::vector<glm::vec3>& centres,
+               std::uint32_t rounds, std::uint64_t seed);
 
 }  // namespace capcon

@@ -34,11 +34,11 @@ bool combines(Strategy strategy) {
 
 }  // namespace
 
-DirectPoints::DirectPoints(const DirectLightingJob& job) : job_(job) {
-  integrand_ = job.partition ? make_sampler(job.sampler, job.samples(), job.seed, job.image_samples)
-                             : make_sampler(job.sampler, job.integrator_samples, job.seed);
+DirectPoints::DirectPoints(const DirectLightingJob& job, int width) : job_(job) {
+  integrand_ = job.partition ? make_sampler(job.sampler, job.samples(), job.seed, job.image_samples, width)
+                             : make_sampler(job.sampler, job.integrator_samples, job.seed, 1, width);
   if (job.position == PixelPosition::jittered)
-    image_ = make_sampler(job.sampler, job.image_samples, job.seed);
+    image_ = make_sampler(job.sampler, job.image_samples, job.seed, 1, width);
 }
 
 glm::dvec2 DirectPoints::film(std::uint32_t pixel, int x, int y, std::uint32_t p) const {

@@ -15,8 +15,8 @@ namespace capcon::reference {
 /// The points of one job.
 class DirectPoints {
  public:
-  /// InputError as make_sampler.
-  explicit DirectPoints(const DirectLightingJob& job);
+  /// `width`: of the image. InputError as make_sampler.
+  DirectPoints(const DirectLightingJob& job, int width);
   /// Where in the film's pixel (x, y) image sample p lies.
   glm::dvec2 film(std::uint32_t pixel, int x, int y, std::uint32_t p) const;
   /// Point i of image sample p, of a dimension pair other than the film's, in [0, 1)^2.

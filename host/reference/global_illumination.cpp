@@ -49,11 +49,12 @@ double ratio_of(const VirtualLight& y) {
 }  // namespace
 
 GlobalIllumination::GlobalIllumination(const Geometry& geometry, const DirectLighting& lighting,
-                                       const GlobalIlluminationJob& job, const VirtualLights& lights)
+                                       const GlobalIlluminationJob& job, const VirtualLights& lights,
+                                       int width)
     : geometry_(geometry),
       lighting_(lighting),
       job_(job),
-      points_(job.direct),
+      points_(job.direct, width),
       first_(lights.first),
       limit_(job.clamping == Clamping::none ? std::numeric_limits<double>::infinity() : job.limit) {
   assert(lights.sets() == job.sets && limit_ > 0);
@@ -65,7 +66,7 @@ GlobalIllumination::GlobalIllumination(const Geometry& geometry, const DirectLig
     y.shading_normal = -y.shading_normal;
     behind_.push_back(source(y));
   }
-  if (job.clamping == Clamping::compensate) rays_.emplace(ray_points(job));
+  if (job.clamping == Clamping::compensate) rays_.emplace(ray_points(job), width);
 }
 
 GlobalIllumination::Source GlobalIllumination::source(const VirtualLight& y) const {

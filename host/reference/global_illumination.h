@@ -12,9 +12,10 @@ namespace capcon::reference {
 /// What comes by other surfaces, from virtual point lights: docs/igi.md, "The estimate".
 class GlobalIllumination {
  public:
-  /// Keeps references. `job.limit` is above 0 unless nothing is clamped. InputError as make_sampler.
+  /// Keeps references. `width`: of the image. `job.limit` is above 0 unless nothing is clamped. InputError as
+  /// make_sampler.
   GlobalIllumination(const Geometry& geometry, const DirectLighting& lighting,
-                     const GlobalIlluminationJob& job, const VirtualLights& lights);
+                     const GlobalIlluminationJob& job, const VirtualLights& lights, int width);
 
   /// The value of a pixel of an image of `width`, direct light included.
   DirectLighting::Estimate pixel(const View& view, int width, int x, int y) const;

@@ -139,7 +139,8 @@ RenderResult Reference::render(const AmbientOcclusionJob& job,
   RenderResult result;
   result.device = "reference";
   const Stopwatch watch;
-  const std::unique_ptr<Sampler> sampler = make_sampler(job.sampler, job.samples, job.seed);
+  const std::unique_ptr<Sampler> sampler =
+      make_sampler(job.sampler, job.samples, job.seed, 1, state_->film.width);
   result.timings.wall["points"] = watch.seconds();
   result.image = Image(state_->film.width, state_->film.height, 1);
   state_->trace(result, on_progress, [&](int x, int y) {
@@ -158,7 +159,7 @@ RenderResult Reference::render(const DirectLightingJob& job,
   const DirectLighting& lighting = state_->lighting();
   result.timings.wall["lighting"] = lighting_watch.seconds();
   const Stopwatch points_watch;
-  const DirectPoints points(job);
+  const DirectPoints points(job, state_->film.width);
   result.timings.wall["points"] = points_watch.seconds();
   state_->trace_radiance(result, on_progress, [&](int x, int y) {
     return lighting.pixel(job, points, state_->view, state_->film.width, x, y);
@@ -183,7 +184,8 @@ RenderResult Reference::render(const GlobalIlluminationJob& job, const VirtualLi
   GlobalIlluminationJob limited = job;
   if (limited.limit == 0) limited.limit = default_geometry_limit(state_->scene);
   const Stopwatch points_watch;
-  const GlobalIllumination illumination(state_->geometry, state_->lighting(), limited, lights);
+  const GlobalIllumination illumination(state_->geometry, state_->lighting(), limited, lights,
+                                        state_->film.width);
   RenderResult result;
   result.timings.wall["points"] = points_watch.seconds();
   result.virtual_lights = lights.lights.size();

@@ -26,7 +26,7 @@ class AmbientOcclusionPass : Pass {
 
   RenderResult run() {
     auto start = Clock::now();
-    const auto sampler = make_sampler(job_.sampler, job_.samples, job_.seed);
+    const auto sampler = make_sampler(job_.sampler, job_.samples, job_.seed, 1, s_.film.width);
     std::vector<SampleDomain> domains = {SampleDomain::disk};
     if (job_.position == PixelPosition::jittered) domains.push_back(SampleDomain::square);
     tables_ = sampler->tables(domains);
@@ -116,7 +116,7 @@ class AmbientOcclusionPass : Pass {
 std::vector<KernelVariant> ambient_occlusion_kernels(const RendererState& state,
                                                      const AmbientOcclusionJob& job) {
   const bool jittered = job.position == PixelPosition::jittered;
-  const auto sampler = make_sampler(job.sampler, job.samples, job.seed);
+  const auto sampler = make_sampler(job.sampler, job.samples, job.seed, 1, state.film.width);
   const std::uint32_t id = sampler->tables({}).id;
   return {state.primary_variant(jittered, id, PixelFilter::box),
           occlusion_variant(id, !jittered && !sample_order(*sampler).empty())};

@@ -24,7 +24,7 @@ RenderResult render_direct_lighting(RendererState& state, const DirectLightingJo
 
 std::vector<KernelVariant> direct_lighting_kernels(const RendererState& state, const DirectLightingJob& job) {
   const bool jittered = job.position == PixelPosition::jittered;
-  const auto sampler = integrator_sampler(job);
+  const auto sampler = integrator_sampler(job, state.film);
   const std::uint32_t id = sampler->tables({}).id;
   const bool ordered = !order_of(job, *sampler).empty();
   std::vector<KernelVariant> variants = {state.primary_variant(jittered, id, job.filter)};

@@ -36,9 +36,9 @@ bool uses_bsdf(const RendererState& s, const DirectLightingJob& job) {
 
 }  // namespace
 
-std::unique_ptr<Sampler> integrator_sampler(const DirectLightingJob& job) {
-  return job.partition ? make_sampler(job.sampler, job.samples(), job.seed, job.image_samples)
-                       : make_sampler(job.sampler, job.integrator_samples, job.seed);
+std::unique_ptr<Sampler> integrator_sampler(const DirectLightingJob& job, const Film& film) {
+  return job.partition ? make_sampler(job.sampler, job.samples(), job.seed, job.image_samples, film.width)
+                       : make_sampler(job.sampler, job.integrator_samples, job.seed, 1, film.width);
 }
 
 // All samples of a pixel see one surface and are added up, so that their order is free; not where parts have
@@ -112,14 +112,14 @@ std::uint64_t DirectLightingPass::direct_rays() const {
 }
 
 void DirectLightingPass::make_points() {
-  const auto sampler = integrator_sampler(job_);
+  const auto sampler = integrator_sampler(job_, s_.film);
   tables_ = sampler->tables(domains_of(s_.light_list.kinds));
   order_ = order_of(job_, *sampler);
   s_.set_sampler(tables_, order_);
   const Split& split = sampler->split();
   split_ = {job_.image_samples, job_.integrator_samples, split.part_stride, split.point_stride};
   if (!jittered_) return;
-  const auto image = make_sampler(job_.sampler, job_.image_samples, job_.seed);
+  const auto image = make_sampler(job_.sampler, job_.image_samples, job_.seed, 1, s_.film.width);
   image_tables_ = image->tables({SampleDomain::square});
   image_tables_.constants[2] = image->split().point_stride;
   s_.set_image_sampler(image_tables_);

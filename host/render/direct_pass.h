@@ -7,7 +7,7 @@
 namespace capcon {
 
 /// The integrator's points: all of a pixel as parts of one set, or a set a part.
-std::unique_ptr<Sampler> integrator_sampler(const DirectLightingJob& job);
+std::unique_ptr<Sampler> integrator_sampler(const DirectLightingJob& job, const Film& film);
 
 /// The specialisations of the kernels of direct lighting.
 struct DirectVariants {

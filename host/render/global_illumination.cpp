@@ -22,9 +22,10 @@ std::uint32_t gather_parts(const GlobalIlluminationJob& job) {
   return job.direct.position == PixelPosition::jittered ? job.direct.image_samples : job.sets_a_pixel();
 }
 
-std::unique_ptr<Sampler> gather_sampler(const GlobalIlluminationJob& job) {
+std::unique_ptr<Sampler> gather_sampler(const GlobalIlluminationJob& job, const Film& film) {
   const std::uint32_t parts = gather_parts(job);
-  return make_sampler(job.direct.sampler, parts * job.gather, gather_seed(job.direct.seed), parts);
+  return make_sampler(job.direct.sampler, parts * job.gather, gather_seed(job.direct.seed), parts,
+                      film.width);
 }
 
 KernelVariant of_receivers(const std::string& name) {
@@ -78,7 +79,7 @@ class GlobalIlluminationPass : public GatherPass {
     const auto start = Clock::now();
     make_points();
     if (compensates_) {
-      const auto sampler = gather_sampler(igi_);
+      const auto sampler = gather_sampler(igi_, s_.film);
       gather_tables_ = sampler->tables({SampleDomain::disk});
       gather_split_ = sampler->split();
       s_.set_gather_sampler(gather_tables_);
@@ -262,7 +263,7 @@ std::vector<KernelVariant> global_illumination_kernels(const RendererState& stat
   add(light_path_kernels(path_sampler(job)->tables({}).id));
   add({kGather});
   if (job.clamping != Clamping::compensate) return variants;
-  add({compensation_variant(gather_sampler(job)->tables({}).id)});
+  add({compensation_variant(gather_sampler(job, state.film)->tables({}).id)});
   add({of_receivers("compensation"), of_receivers("gather"), of_receivers("resolve")});
   const DirectVariants direct = direct_variants(state, job.direct, layout::kSamplerRandom, false, true);
   add(direct.lights);

@@ -16,6 +16,8 @@ constexpr std::uint32_t kPurposeParts = 0xa0000000u;    ///< + block: word w tur
 constexpr std::uint32_t kPurposeFiner = 0xc0000000u;    ///< + stratum: word y orders the parts within it
 constexpr std::uint32_t kPurposeWithin = 0xb0000000u;   ///< words z, w: places within cells; y: a flip
 constexpr std::uint32_t kPurposePaths = 0xd0000000u;    ///< + set: word y orders its light paths
+constexpr std::uint32_t kPurposeScreen =
+    0xe0000000u;  ///< of pixel 0: what a whole image has in common; x, y, z: shifts and keys, w: spare
 
 inline std::array<std::uint32_t, 4> set_words(std::uint32_t seed, std::uint32_t pixel,
                                               std::uint32_t dimension, std::uint32_t purpose = kPurposeSet) {

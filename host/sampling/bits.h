@@ -4,6 +4,11 @@
 
 namespace capcon {
 
+/// floor(a * b / 2^32)
+constexpr std::uint32_t multiply_high(std::uint32_t a, std::uint32_t b) {
+  return static_cast<std::uint32_t>((static_cast<std::uint64_t>(a) * b) >> 32);
+}
+
 /// The 32 bits in opposite order.
 constexpr std::uint32_t reverse_bits(std::uint32_t v) {
   v = (v >> 16) | (v << 16);

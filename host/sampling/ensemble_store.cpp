@@ -8,13 +8,16 @@
 #include "base/cache.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/hash.h"
+#include "base/little_endian.h"
+#include "base/sealed.h"
 
 namespace capcon {
 namespace {
 
 // Of the way ensembles are made: to be raised when the same options give other sets, so that what caches keep
 // is made anew.
-constexpr int kMaking = 1;
+constexpr int kMaking = 2;
 
 // The same of the ways parts are dealt.
 constexpr int kDealing = 1;
@@ -108,6 +111,36 @@ Ensemble stored_ensemble(std::uint32_t points, EnsembleDomain domain) {
     if (stored.options.points == points && stored.options.domain == domain) return std::move(stored.ensemble);
   throw InputError(
       fmt::format("{}: holds no sets of {} points; copy the shipped file again", path.string(), points));
+}
+
+ScreenMask stored_screen_mask(std::uint32_t points, EnsembleDomain domain) {
+  const Ensemble e = stored_ensemble(points, domain);
+  ScreenMask mask{mask_rows(e.sets), {}};
+  const std::size_t count = std::size_t(ScreenMask::kColumns) * mask.rows;
+  // Which sets a mask is of is part of what its checksum covers.
+  const std::string kind = fmt::format("capcon-screen-mask 1 {:016x}",
+                                       fnv1a64(ensemble_record(e, {.points = points, .domain = domain})));
+  const std::filesystem::path folder = cache_folder(),
+                              path = folder / fmt::format("{}-{}.screen-mask", domain_name(domain), points);
+  std::error_code error;
+  if (!folder.empty() && std::filesystem::is_regular_file(path, error)) {
+    if (const auto data = unsealed(kind, read_file(path)); data && data->size() == 2 * count) {
+      std::string_view rest = *data;
+      for (std::size_t k = 0; k < count; ++k) mask.keys.push_back(take_bytes<std::uint16_t>(rest));
+      return mask;
+    }
+  }
+  mask = make_screen_mask(e, domain);
+  if (!folder.empty()) {
+    std::string data;
+    for (const std::uint16_t key : mask.keys) put_bytes(data, key);
+    try {
+      std::filesystem::create_directories(folder);
+      write_file(path, sealed(kind, data));
+    } catch (const std::exception&) {
+    }
+  }
+  return mask;
 }
 
 }  // namespace capcon

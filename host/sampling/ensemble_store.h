@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "points/ensemble_file.h"
+#include "points/screen_mask.h"
 
 namespace capcon {
 
@@ -17,6 +18,9 @@ Ensemble stored_ensemble(std::uint32_t points, EnsembleDomain domain);
 /// `ensemble` with its sets' cells ordered part by part (deal_parts), from the user's cache where that takes
 /// long and it has been done before. A file that is broken, or deals other sets, is ignored and written anew.
 Ensemble stored_parts(const Ensemble& ensemble, EnsembleDomain domain, std::uint32_t parts);
+
+/// The mask of stored_ensemble's sets: from the user's cache, or made now (seconds) and kept there.
+ScreenMask stored_screen_mask(std::uint32_t points, EnsembleDomain domain);
 
 /// The sizes that are shipped: 1 to 16, 20, 24, 32, 36, 48, 64, 96, 128, 256.
 const std::vector<std::uint32_t>& shipped_ensemble_sizes();

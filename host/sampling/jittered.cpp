@@ -5,7 +5,7 @@
 #include "base/hash.h"
 #include "layout.h"
 #include "sampling/address.h"
-#include "sampling/disk_turn.h"
+#include "sampling/bits.h"
 #include "sampling/samplers.h"
 
 namespace capcon {

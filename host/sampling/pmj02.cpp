@@ -4,7 +4,7 @@
 
 #include "layout.h"
 #include "sampling/address.h"
-#include "sampling/disk_turn.h"
+#include "sampling/bits.h"
 #include "sampling/samplers.h"
 
 namespace capcon {

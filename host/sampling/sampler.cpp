@@ -37,7 +37,9 @@ const std::vector<std::pair<std::string, Maker>>& makers() {
 }
 
 // For some numbers of points only: not among sampler_names().
-constexpr std::string_view kBounded = "capcon-bounded";
+constexpr std::string_view kBounded = "capcon-bounded", kScreen = "capcon-screen";
+// Knows a pixel's neighbours.
+constexpr std::string_view kZ = "sobol-z";
 }  // namespace
 
 std::uint32_t coprime_stride(std::uint32_t count) {
@@ -50,6 +52,7 @@ const std::vector<std::string>& sampler_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (const auto& [name, maker] : makers()) all.push_back(name);
+    all.emplace_back(kZ);
     return all;
   }();
   return names;
@@ -71,7 +74,7 @@ std::uint32_t Sampler::shuffled(std::uint32_t pixel, std::uint32_t index, std::u
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count, std::uint32_t seed,
-                                      std::uint32_t parts) {
+                                      std::uint32_t parts, int width) {
   if (count == 0) throw InputError("the number of samples must be at least 1");
   if (parts == 0 || count % parts != 0)
     throw InputError(fmt::format("{} points cannot be cut into {} equal parts", count, parts));
@@ -79,11 +82,15 @@ std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count
   for (const auto& [known, maker] : makers()) {
     if (known == name) return maker(count, seed, parts);
   }
+  const auto across = static_cast<std::uint32_t>(width);
+  if (name == kZ) return make_sobol_z_sampler(count, seed, parts, across);
+  if (name == kScreen) return make_capcon_screen_sampler(count, seed, parts, across);
   if (name == kBounded) return make_capcon_bounded_sampler(count, seed, parts);
-  throw InputError(fmt::format(
-      "there is no sampler \"{}\"; choose one of: {}; {} for 64, 144, 256, ... points; or file:PATH for your "
-      "own points",
-      name, fmt::join(sampler_names(), " "), kBounded));
+  throw InputError(
+      fmt::format("there is no sampler \"{}\"; choose one of: {}; {} for at most 256 points; {} for 64, 144, "
+                  "256, ...; or file:PATH for your "
+                  "own points",
+                  name, fmt::join(sampler_names(), " "), kScreen, kBounded));
 }
 
 }  // namespace capcon

@@ -78,18 +78,21 @@ class Sampler {
   std::uint32_t seed_;
 };
 
-/// Names that make_sampler knows: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton
-/// lattice pmj02. It knows capcon-bounded too, which makes sets of 16 k^2 points only, k >= 2.
+/// Names that make_sampler knows for any number of points: random jittered sobol-xor sobol-owen ccvt capcon
+/// capcon-domain fpo halton lattice pmj02 sobol-z. It knows capcon-screen and capcon-bounded too, which are for
+/// some numbers only.
 const std::vector<std::string>& sampler_names();
 
 /// Those that studies of ambient occlusion and of direct lighting compare unless told otherwise: all but fpo,
 /// halton, lattice and pmj02, which are there for comparison with the literature.
 const std::vector<std::string>& default_study_samplers();
 
-/// A sampler for sets of `count` points in `parts` parts of the same size. Point generation (ccvt, fpo)
-/// happens here. InputError for an unknown name, and where parts do not divide count.
+/// A sampler for sets of `count` points in `parts` parts of the same size. `width`: of the image, in pixels,
+/// which `pixel` numbers row by row, for samplers that know neighbours (capcon-screen, sobol-z); 0: one row.
+/// Point generation (ccvt, fpo) happens here. InputError for an unknown name, and where parts do not divide
+/// count.
 std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count, std::uint32_t seed,
-                                      std::uint32_t parts = 1);
+                                      std::uint32_t parts = 1, int width = 0);
 
 /// The float that both sides make of a coordinate: its upper 24 bits / 2^24, in [0, 1).
 inline float to_unit_float(std::uint32_t v) {

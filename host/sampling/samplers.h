@@ -6,7 +6,8 @@
 
 namespace capcon {
 
-// One maker a sampler: (count of points a set, seed, parts of a set).
+// One maker a sampler: (count of points a set, seed, parts of a set), and for those that know neighbours the
+// width of the image.
 
 /// Independent uniform points.
 std::unique_ptr<Sampler> make_random_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts);
@@ -40,5 +41,13 @@ std::unique_ptr<Sampler> make_capcon_bounded_sampler(std::uint32_t count, std::u
 /// symmetry (rotation, flips, a shift round the cylinder) by hash, a random point in every cell. Unbiased.
 std::unique_ptr<Sampler> make_capcon_domain_sampler(std::uint32_t count, std::uint32_t seed,
                                                     std::uint32_t parts);
+
+/// The same sets, given to the pixels of an image by a mask (points/screen_mask.h) so that its error is blue
+/// noise. InputError for more than kMostScreenPoints points.
+std::unique_ptr<Sampler> make_capcon_screen_sampler(std::uint32_t count, std::uint32_t seed,
+                                                    std::uint32_t parts, std::uint32_t width);
+/// Owen-scrambled Sobol' points in Z order over the image (Ahmed and Wonka 2020).
+std::unique_ptr<Sampler> make_sobol_z_sampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts,
+                                              std::uint32_t width);
 
 }  // namespace capcon

@@ -21,6 +21,7 @@ const uint kPurposeParts = 0xa0000000u;
 const uint kPurposeWithin = 0xb0000000u;
 const uint kPurposeFiner = 0xc0000000u;
 const uint kPurposePaths = 0xd0000000u;
+const uint kPurposeScreen = 0xe0000000u;
 
 uvec4 set_words(uint seed, uint pixel, uint dimension, uint purpose) {
   return pcg4d(uvec4(pixel, purpose, dimension, seed));

@@ -33,7 +33,9 @@ uvec2 sample_bits(uvec4 words, uint seed, uint count, uint pixel, uint index, ui
   if (kSampler == kSamplerSobolOwen) return sample_sobol(true, words, seed, count, pixel, index, dimension);
   if (kSampler == kSamplerCcvt) return sample_rotated_set(words, seed, count, pixel, index, dimension);
   if (kSampler == kSamplerCapcon) return sample_corner_tiles(words, seed, count, pixel, index, dimension);
-  if (kSampler == kSamplerCapconDomain) return sample_domain_set(words, seed, count, pixel, index, dimension, domain);
+  if (kSampler == kSamplerCapconDomain || kSampler == kSamplerCapconScreen)
+    return sample_domain_set(words, seed, count, pixel, index, dimension, domain);
+  if (kSampler == kSamplerSobolZ) return sample_sobol_z(words, seed, pixel, index, dimension);
   if (kSampler == kSamplerPmj02) return sample_pmj02(words, seed, count, pixel, index, dimension);
   if (kSampler == kSamplerCapconBounded) return sample_bounded_tiles(words, seed, count, pixel, index, dimension);
   return sample_random(seed, pixel, index, dimension);

@@ -101,7 +101,7 @@ void run_cell_swaps(const RandomInput& in) {
     centres.emplace_back(in_space(static_cast<EnsembleDomain>(in.domain), p));
   Ensemble e{2 * in.n, 1, 2, {}};
   for (std::uint32_t i = 0; i < 2 * in.n; ++i) e.cells.push_back(i);
-  swap_cells(centres, e.cells.data(), e.cells.data() + in.n, in.n);
+  swap_cells(static_cast<EnsembleDomain>(in.domain), centres, e.cells.data(), e.cells.data() + in.n, in.n);
   check_sets(e, in.n);
 }
 
@@ -113,7 +113,7 @@ void run_near_swaps(const RandomInput& in) {
     const glm::dvec2 even((c % e.columns + 0.5) / e.columns, (c / e.columns + 0.5) / e.rows);
     centres[c] = in_space(static_cast<EnsembleDomain>(in.domain), in.u(502) < 0.7 ? even : places[c]);
   }
-  swap_near(e, centres, 4, in.number);
+  swap_near(e, static_cast<EnsembleDomain>(in.domain), centres, 4, in.number);
   check_sets(e, in.n);
 }
 

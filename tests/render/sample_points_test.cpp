@@ -43,6 +43,25 @@ TEST(SamplePoints, DeviceAndHostAgreeToTheBit) {
   }
 }
 
+// Those that know a pixel's neighbours, in an image 5 pixels wide.
+TEST(SamplePoints, SetsOfTheScreenAgreeToTheBit) {
+  const Scene scene = testing::random_soup(3, 1, 4, 4);
+  Renderer renderer(scene, {.device = "lavapipe", .validate = true});
+  for (const char* name : {"sobol-z", "capcon-screen"}) {
+    for (const std::uint32_t parts : {1u, 2u}) {
+      const auto sampler = make_sampler(name, 4, 5, parts, 5);
+      for (const auto domain : {SampleDomain::square, SampleDomain::disk, SampleDomain::cylinder}) {
+        const auto points = renderer.sample_points(*sampler, 400, 1, domain);
+        std::size_t different = 0;
+        for (std::uint32_t k = 0; k < points.size(); ++k)
+          different += points[k] != sampler->sample(k / 4, k % 4, 1, domain) ? 1 : 0;
+        EXPECT_EQ(points.size(), 1600u);
+        EXPECT_EQ(different, 0u) << name << " " << parts << " " << int(domain);
+      }
+    }
+  }
+}
+
 // As many as light paths take: tables of a hundred thousand texels.
 TEST(SamplePoints, SetsOfLightPathsAgreeToTheBit) {
   const Scene scene = testing::random_soup(3, 1, 4, 4);

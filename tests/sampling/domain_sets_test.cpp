@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "points/ensemble.h"
-#include "sampling/disk_turn.h"
 #include "sampling/sampler.h"
 
 namespace capcon {
@@ -29,21 +28,6 @@ TEST(DomainSets, RefusesWhatItCannotMakeInWords) {
     }
   }
   for (std::uint32_t count = 1024; count <= 4096; count += 64) EXPECT_TRUE(can_make_ensemble(count)) << count;
-}
-
-TEST(DomainSets, TurningIsARotationOfTheDisk) {
-  const auto word = [](int i, int k) { return static_cast<std::uint32_t>(mix64(3, i, k)); };
-  for (int i = 0; i < 20000; ++i) {
-    FixedPoint p{word(i, 0), word(i, 1)};
-    if (i % 4 == 0) p.y = p.x;               // diagonals
-    if (i % 7 == 0) p = {0x80000000u, p.y};  // axes
-    if (i % 11 == 0) p = {0u, p.y};          // the rim
-    const std::uint32_t turn = i % 13 == 0 ? 0x40000000u * (i % 4) : word(i, 2);
-    const double angle = 2 * std::numbers::pi * turn * 0x1p-32;
-    const glm::dvec2 from = on_disk(p), to = on_disk(turn_in_square(p, turn));
-    EXPECT_NEAR(to.x, std::cos(angle) * from.x - std::sin(angle) * from.y, 3e-7) << i;
-    EXPECT_NEAR(to.y, std::sin(angle) * from.x + std::cos(angle) * from.y, 3e-7) << i;
-  }
 }
 
 /// Mean squared error over pixels of an estimate of `f`, which the pixel's number turns into one of a family.

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "points/ensemble.h"
+#include "sampling/sampler.h"
+
+namespace capcon {
+
+EnsembleDomain ensemble_domain(SampleDomain domain);
+
+/// The same for all seeds, and a second's work for large sets: made once a program.
+template <class Key, class Make>
+auto made_once(const Key& key, Make make) {
+  using Made = decltype(make());
+  static std::mutex mutex;
+  static std::map<Key, std::shared_ptr<const Made>> known;
+  const std::lock_guard lock(mutex);
+  auto& made = known[key];
+  if (!made) made = std::make_shared<const Made>(make());
+  return made;
+}
+
+/// Sets of an ensemble (points/ensemble.h) in the integral's own domain; which one, and turned how, hashes
+/// say.
+class DomainSampler : public Sampler {
+ public:
+  DomainSampler(std::uint32_t count, std::uint32_t seed, std::uint32_t parts)
+      : DomainSampler("capcon-domain", count, seed, parts) {}
+  FixedPoint point(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension,
+                   SampleDomain domain) const override;
+  SamplerTables tables(const std::vector<SampleDomain>& domains) const override;
+
+ protected:
+  DomainSampler(const char* name, std::uint32_t count, std::uint32_t seed, std::uint32_t parts)
+      : Sampler(name, count, seed, parts) {}
+
+  /// Which set, and turned how: bits of flips as ScreenMask::keys has them; the cylinder goes round by turn /
+  /// 2^32.
+  struct Choice {
+    std::uint32_t set, flips, turn;
+  };
+  virtual Choice choose(std::uint32_t pixel, std::uint32_t dimension, SampleDomain domain,
+                        std::uint32_t sets) const;
+  /// Those asked for, in the order that their tables have.
+  static std::vector<SampleDomain> in_table_order(const std::vector<SampleDomain>& domains);
+
+ private:
+  /// A cell in 0.32 fixed point: its low corner and its size.
+  struct Cell {
+    std::uint32_t x, y, width, height;
+  };
+  struct Sets {
+    std::uint32_t sets = 1;
+    std::vector<Cell> cells;           ///< set by set, each in Morton order
+    std::vector<std::uint32_t> order;  ///< with parts: [set * count + index]: place in the set, part by part
+  };
+
+  static Sets make_sets(std::uint32_t count, EnsembleDomain domain, std::uint32_t parts);
+  static void append(const Sets& sets, SamplerTables& result);
+  std::uint32_t turned(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const;
+  const Sets& sets_in(SampleDomain domain) const;
+
+  mutable std::array<std::once_flag, 3> once_;
+  mutable std::array<std::shared_ptr<const Sets>, 3> sets_;
+};
+
+}  // namespace capcon
