@@ -43,7 +43,7 @@ uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint ind
   uint turn = keys.y;
   if (screen) {
     uvec4 image = set_words(seed, 0u, dimension, kPurposeScreen);
-    uint masks = disk_texels + square_texels + round_sets * count;
+    uint masks = disk_texels + square_texels + round_sets * count + split * ((round_sets * count + 3u) >> 2u);
     uint mask = masks + (disk ? 0u : mask_texels(words.x) + (cylinder ? mask_texels(words.y) : 0u));
     uint key = screen_key(mask, sets, words.w & 0xffffu, pixel, image);
     set = key >> 3u;
