@@ -5,9 +5,12 @@
 #include "base/sealed.h"
 #include "fuzz/files.h"
 #include "fuzz/target.h"
+#include "study/regression.h"
 #include "study/run_record.h"
 
 namespace capcon::fuzz {
+using nlohmann::json;
+
 namespace {
 
 constexpr std::string_view kMagic = "capcon pipelines 1";
@@ -38,6 +41,18 @@ void read_study_runs(std::string_view bytes) {
   const std::string text = text_of(file);
   const MemoryFile again(text);
   require(text_of(read_runs(again.path())) == text, "what is written is read again");
+}
+
+void read_study_baseline(std::string_view bytes) {
+  const MemoryFile input(bytes);
+  const Baseline baseline = read_baseline(input.path());
+  const Regression same = find_regressions(baseline, baseline.json);
+  require(same.worse.empty(), "nothing is worse than itself");
+  require(same.compared + same.skipped <= baseline.json.at("ratios").size(),
+          "no more figures than there are");
+  json settings = baseline.json.at("settings");
+  if (!settings.contains("seeds")) settings["seeds"] = 2;
+  check_comparable(baseline, settings);
 }
 
 void read_sealed(std::string_view bytes) {

@@ -16,7 +16,8 @@ constexpr Target kTargets[] = {
     {"csv", read_points_csv},  {"utk", read_points_binary}, {"npy", read_points_npy},
     {"formula", read_formula}, {"ensembles", read_ensembles},
     {"tiles", read_tiles},     {"parts", read_parts},
-    {"runs", read_study_runs}, {"sealed", read_sealed},
+    {"runs", read_study_runs}, {"baseline", read_study_baseline},
+    {"sealed", read_sealed},
 };
 
 constexpr std::size_t kLongestMessage = 1000;

@@ -50,6 +50,7 @@ void read_ensembles(std::string_view bytes);
 void read_tiles(std::string_view bytes);
 void read_parts(std::string_view bytes);
 void read_study_runs(std::string_view bytes);
+void read_study_baseline(std::string_view bytes);
 void read_sealed(std::string_view bytes);
 
 }  // namespace capcon::fuzz
