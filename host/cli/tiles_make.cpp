@@ -97,7 +97,7 @@ void add_tiles_make(CLI::App& tiles) {
       ->capture_default_str();
   verb->add_option("--flatness", make.flatness,
                    "how much an even mean tile counts against compact cells or distance; 0 gives a lattice "
-                   "(default: 0.002, fpo 0.0002)")
+                   "(default: 0.002, fpo 0.0002, with a boundary 0.0012)")
       ->check(CLI::Range(0.0, 1000.0));
   verb->add_option("-o,--output", options->output, "the tile set's file (default: standard output)")
       ->type_name("FILE");

@@ -26,7 +26,7 @@ constexpr double kStride = 1.9;                             // over-relaxation o
 constexpr double kEvenStride = 2.5, kEvenStrideFall = 1.5;  // of bounded sets: down to 1
 constexpr std::uint32_t kRoundsInCells = 30;
 constexpr double kLoose = 0.5, kSettled = 0.9;  // parts of the rounds: make_even's `settled` goes from 0 to 1
-constexpr double kFlatness = 0.002;
+constexpr double kFlatness = 0.002, kEvenFlatness = 0.0012;
 constexpr double kCalmRounds = 0.2;  // this part of the rounds goes without it
 
 double stride_of(std::uint32_t round, std::uint32_t rounds) {
@@ -107,12 +107,10 @@ void check(const MakeTilesOptions& options) {
   if (options.starts < 1 || options.rounds < 2 || (options.tilings != 0 && options.tilings < 3))
     throw InputError("at least 1 start, 2 rounds and 3 tilings are needed");
   if (!is_bounded(options)) return;
-  if (options.method == TileMethod::fpo || options.shared_corner > 0 || options.shared_edge > 0 ||
-      options.flatness)
+  if (options.method == TileMethod::fpo || options.shared_corner > 0 || options.shared_edge > 0)
     throw InputError(
-        "--boundary goes without --method fpo, --shared-corner, --shared-edge and --flatness: a bounded "
-        "set's "
-        "points are capacity-constrained, of one tile each, and even without a flatness");
+        "--boundary goes without --method fpo, --shared-corner and --shared-edge: a bounded set's points are "
+        "capacity-constrained, and each is of one tile");
 }
 
 }  // namespace
@@ -148,7 +146,7 @@ TiedPoints start_points(const MakeTilesOptions& options, std::uint32_t start) {
 
 TiedPoints capacity_constrained(const MakeTilesOptions& options) {
   const bool even = is_bounded(options);
-  const double flatness = even ? 0 : options.flatness.value_or(kFlatness);
+  const double flatness = options.flatness.value_or(even ? kEvenFlatness : kFlatness);
   const TrainingSet training{all_colours(options), options.colouring, options.seed};
   const std::uint32_t tilings = tilings_of(options), few = tilings / 3, start_rounds = options.rounds / 2;
   const double total = double(options.starts) * few * start_rounds + double(tilings) * options.rounds;

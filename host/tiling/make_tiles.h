@@ -32,8 +32,8 @@ struct MakeTilesOptions {
                                 ///< which have more of the small tilings)
   std::uint32_t moves = 20000;  ///< of the ranking, per point of the set
   std::optional<double> flatness;  ///< of the mean tile, see TiedOptimiser and FarthestOptions; 0 ends in a
-                                   ///< regular lattice. Left out: 0.002 for ccvt, 0.0002 for fpo. Bounded
-                                   ///< sets have none: their points have even cells (even_cells.h)
+                                   ///< regular lattice. Left out: 0.002 for ccvt, 0.0002 for fpo, 0.0012 for
+                                   ///< bounded sets
   std::function<void(double done, double energy)> on_round;  ///< done in [0, 1]; may be empty
 };
 

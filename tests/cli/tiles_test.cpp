@@ -106,5 +106,39 @@ TEST(Tiles, PartitionCutsATilingAndKeepsItsPoints) {
   EXPECT_EQ(run("partition --tiles nothing.tiles -k 2").exit_code, 2);
 }
 
+// Tiles with a border from making to points, and what is not to be.
+TEST(Tiles, BoundedSetsFillTheSquare) {
+  const Folder folder;
+  const std::string file = folder / "b.tiles";
+  const Outcome made =
+      run("tiles make --boundary --starts 1 --rounds 6 --tilings 3 --moves 20 --json -o " + file);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(contents(file).find("capcon-tiles 3\ncolours 3\n"), std::string::npos);
+  const Outcome points = run("tiles points " + file + " --width 3 --count 2");
+  ASSERT_EQ(points.exit_code, 0) << points.err;
+  EXPECT_EQ(point_lines(points.out).size(), 288u);
+  const Outcome shown = run("tiles show " + file + " --width 2 -o " + (folder / "b.svg"));
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  for (const std::string words :
+       {"tiles points c2n16-bounded --width 1", "tiles show c2n16-bounded --width 1",
+        "tiles make --boundary --compact", "tiles make --boundary --method fpo",
+        "tiles make --boundary --shared-edge 1", "tiles points c2n16-bounded --ranks 17"}) {
+    const Outcome wrong = run(words);
+    EXPECT_EQ(wrong.exit_code, 2) << words;
+    EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 1) << wrong.err;
+  }
+}
+
+TEST(Tiles, VerifySaysThatTheBoundedSetIsGood) {
+  const Outcome outcome = run("tiles verify c2n16-bounded --tilings 20 --untiled 1 --capacity 64 --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(report.at("tiles"), 40);
+  EXPECT_EQ(report.at("colouring"), "bounded");
+  EXPECT_TRUE(report.at("even_cells"));
+  EXPECT_EQ(report.at("tilings").size(), 4u);
+  EXPECT_TRUE(report.at("ok"));
+}
+
 }  // namespace
 }  // namespace capcon::testing

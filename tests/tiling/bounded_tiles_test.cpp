@@ -168,6 +168,16 @@ std::string message(const std::string& text) {
   return "";
 }
 
+// Version 3 as it was written first.
+TEST(BoundedTiles, FrozenBytesOfVersionThree) {
+  const std::string text = read_file(CAPCON_SOURCE_DIR "/tests/fuzz/corpus/tiles/bounded.tiles");
+  const TileSet set = parse_tile_set(text, "my.tiles");
+  EXPECT_EQ(checksum(set), 0xa0fbaee7f47a1938u);
+  EXPECT_EQ(set.tile_count(), 9u);
+  EXPECT_EQ(set.tiles[5][0].position, (FixedPoint{3738418189u, 4043477624u}));
+  EXPECT_EQ(format_tile_set(set), text);
+}
+
 TEST(BoundedTiles, WrongFilesAreOneClearSentence) {
   using ::testing::StartsWith;
   const std::string text = read_file(shipped_file("tiles/c2n16-bounded.tiles"));
