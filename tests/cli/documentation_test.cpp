@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
@@ -122,9 +121,11 @@ TEST(Check, SaysWhatIsThereAndWhatIsNot) {
        {"1 sphere", "1 glass", "what it transmits is left out", "2x shape \"curve\" is not supported",
         "s.pbrt:5:1", "ao      yes", "direct  yes, yet it has no light and is black"})
     EXPECT_THAT(text.out, HasSubstr(words));
-  const auto json = nlohmann::json::parse(run("check --json " + scene).out);
-  EXPECT_EQ(json.at("left_out").at(0).at("count"), 2);
-  EXPECT_EQ(json.at("contents").at("shapes").at("sphere"), 1);
+  const std::string json = run("check --json " + scene).out;
+  for (const char* words :
+       {"\"what\": \"shape \\\"curve\\\" is not supported and was left out\",\n      \"count\": 2",
+        "\"sphere\": 1", "\"shading_errors\": []"})
+    EXPECT_THAT(json, HasSubstr(words));
   const Outcome igi = run("check --integrator igi " + scene);
   EXPECT_EQ(igi.exit_code, 2);
   EXPECT_THAT(igi.err, HasSubstr("it has no light that virtual point lights could come from"));
