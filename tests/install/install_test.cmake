@@ -1,5 +1,5 @@
 # Installs into a folder of the build tree, moves that, runs the program from there, and builds examples/ against it by find_package and
-# by pkg-config. Variables: BUILD, SOURCE, CXX.
+# by pkg-config. Variables: BUILD, SOURCE, CXX, FLAGS (of the sanitizers).
 cmake_minimum_required(VERSION 3.25)
 set(root ${BUILD}/install_test)
 file(REMOVE_RECURSE ${root})
@@ -43,7 +43,7 @@ expect("${errors}" "moved/bin/\\.\\./share/capcon/tiles|moved/share/capcon/tiles
 file(RENAME ${root}/kept ${prefix}/share/capcon/tiles/c2n16.tiles)
 
 # The library, as CMake finds it.
-run(ignored ${CMAKE_COMMAND} -S ${SOURCE}/examples -B ${root}/examples -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX})
+run(ignored ${CMAKE_COMMAND} -S ${SOURCE}/examples -B ${root}/examples -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_FLAGS=${FLAGS})
 run(ignored ${CMAKE_COMMAND} --build ${root}/examples)
 run(said ${root}/examples/occlusion)
 expect("${said}" "capcon-domain +64 samples: error 0\\.0[01]")
@@ -56,7 +56,8 @@ if(pkg_config)
   run(flags ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder} ${pkg_config} --cflags --libs capcon)
   string(STRIP "${flags}" flags)
   string(REPLACE " " ";" flags "${flags}")  # as an unquoted $(pkg-config ...) has it
-  run(ignored ${CXX} -std=c++17 ${SOURCE}/examples/occlusion.cpp -o ${root}/occlusion ${flags})
+  separate_arguments(own UNIX_COMMAND "${FLAGS}")
+  run(ignored ${CXX} ${own} -std=c++17 ${SOURCE}/examples/occlusion.cpp -o ${root}/occlusion ${flags})
   file(RENAME ${prefix} ${root}/before)  # where its data were when it was installed
   run(again ${root}/occlusion)
   if(NOT again STREQUAL said)
