@@ -10,7 +10,9 @@ namespace {
 
 /// Words that start so many ranks, more than there are cores maybe.
 std::string mpirun(int ranks, const std::string& more = "") {
-  return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe --bind-to none " +
+  // One machine: no other is asked for, nor another process's memory, which containers forbid.
+  return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_plm=isolated "
+         "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun --oversubscribe --bind-to none " +
          more + " -n " + std::to_string(ranks);
 }
 
