@@ -88,7 +88,6 @@ void read_pbrt(std::string_view bytes) {
   const std::string path = (scratch_folder() / "scene.pbrt").string();
   SceneNotes notes;  // goes on behind errors, as `capcon check` does
   const Scene listed = parse_pbrt(text, path, notes);
-  listed.instanced_triangles();
   if (notes.errors.empty()) check_scene(listed);
   check_warnings(notes.errors);
   const Scene scene = parse_pbrt(text, path, {true, true, true});
