@@ -20,6 +20,7 @@ namespace {
 constexpr std::string_view kPrefix = "file:";
 constexpr std::string_view kNumber = "{n}";
 constexpr std::size_t kLongestLabel = 40;
+constexpr std::uint32_t kAnyCount = 64;  // of samplers for some numbers of points only
 
 /// The files that a path with "{n}" stands for, by name; the path itself where it has none.
 std::vector<fs::path> files_of(const std::string& path) {
@@ -97,7 +98,8 @@ std::string sampler_label(std::string_view sampler) {
   if (file.randomisation == none) label += "-none";
   // What studies take for a variant, or for another sampler.
   const auto& names = sampler_names();
-  const bool taken = std::find(names.begin(), names.end(), label) != names.end();
+  const bool taken =
+      std::find(names.begin(), names.end(), label) != names.end() || label.starts_with("capcon-");
   return taken || label.ends_with("-naive") || label.ends_with("-naive2") ? label + "-file" : label;
 }
 
@@ -121,7 +123,7 @@ void check_sampler(std::string_view sampler) {
   if (!is_point_file(sampler)) {
     const auto& names = sampler_names();
     if (std::find(names.begin(), names.end(), sampler) == names.end())
-      make_sampler(sampler, 1, 1);  // says which there are
+      make_sampler(sampler, kAnyCount, 1);  // says which there are
     return;
   }
   for (const fs::path& file : files_of(parse_point_file(sampler).path)) import_points(file);

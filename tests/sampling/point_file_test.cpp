@@ -141,7 +141,8 @@ TEST_F(PointFileTest, WhatIsWrongIsOneSentence) {
   EXPECT_THROW(check_sampler("file:/no/such-{n}.txt"), InputError);
   EXPECT_THROW(check_sampler("halotn"), InputError);
   EXPECT_NO_THROW(check_sampler(few));
-  EXPECT_NO_THROW(check_sampler("ccvt"));
+  for (const char* known : {"ccvt", "capcon-bounded", "capcon-screen"})
+    EXPECT_NO_THROW(check_sampler(known)) << known;
 }
 
 TEST_F(PointFileTest, ANumberInTheNameChoosesTheFile) {
