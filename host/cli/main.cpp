@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
   cli::add_partition_verb(app);
   cli::add_tiles_verb(app);
   cli::add_ensembles_verb(app);
+  cli::add_export_verb(app);
   cli::add_bench_verb(app);
   cli::add_info_verb(app);
   cli::add_documentation_verbs(app);

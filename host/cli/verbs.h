@@ -11,6 +11,7 @@ void add_measure_verb(CLI::App& app);
 void add_partition_verb(CLI::App& app);
 void add_tiles_verb(CLI::App& app);
 void add_ensembles_verb(CLI::App& app);
+void add_export_verb(CLI::App& app);
 void add_render_verb(CLI::App& app);
 void add_compare_verb(CLI::App& app);
 void add_check_verb(CLI::App& app);

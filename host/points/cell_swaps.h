@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -17,15 +19,22 @@ namespace capcon {
 ///   straight walls have more of than others;
 /// - in the disk a power of the distance on the hemisphere above it: caps, as what occludes near the horizon.
 /// (dx, dy, dz): between the points, dz on the hemisphere above the disk, on the sphere for the cylinder.
+/// The last two count less in small sets (direction_weight), where they cost smooth integrands more than they
+/// bring.
 template <EnsembleDomain domain>
-inline float spread_distance(float dx, float dy, float dz) {
+inline float spread_distance(float dx, float dy, float dz, float weight) {
   constexpr float kShort = 0.05f, kRange = 0.3f, kAlong = 0.2f, kAbove = 1.0f;
   const float flat = dx * dx + dy * dy, all = flat + dz * dz;
   const float d = std::sqrt(domain == EnsembleDomain::cylinder ? all : flat);
   float spread = d + kShort * d / (kRange + d);
-  if constexpr (domain != EnsembleDomain::cylinder) spread += kAlong * (std::abs(dx) + std::abs(dy));
-  if constexpr (domain == EnsembleDomain::disk) spread += kAbove * std::sqrt(std::sqrt(all));
+  if constexpr (domain != EnsembleDomain::cylinder) spread += weight * kAlong * (std::abs(dx) + std::abs(dy));
+  if constexpr (domain == EnsembleDomain::disk) spread += weight * kAbove * std::sqrt(std::sqrt(all));
   return spread;
+}
+
+/// The weight for sets of n points.
+inline float direction_weight(std::size_t n) {
+  return std::clamp(static_cast<float>(n) / 64.0f, 0.3f, 1.0f);
 }
 
 /// Where spread_distance has a point of the unit square: in space (in_space), on the hemisphere above the

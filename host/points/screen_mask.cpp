@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t kSwapStream = 0x6d61736b;
 constexpr std::uint32_t kSymmetries = 8, kColumns = ScreenMask::kColumns;
-constexpr int kReach = 5;               // pixels; the weight beyond is below 0.002
+constexpr int kReach = 5;              // pixels; the weight beyond is below 0.002
 constexpr std::uint32_t kTries = 600;  // swaps tried for each place
 
 /// The composition table: after[g][h] is the symmetry that does h, then g.
@@ -51,11 +51,12 @@ std::vector<glm::vec3> places(const Ensemble& e, EnsembleDomain domain, std::uin
 
 template <EnsembleDomain domain>
 float mean_spread(const glm::vec3* a, const glm::vec3* b, std::uint32_t n) {
+  const float weight = direction_weight(n);
   double sum = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     float row = 0;
     for (std::uint32_t j = 0; j < n; ++j)
-      row += spread_distance<domain>(a[i].x - b[j].x, a[i].y - b[j].y, a[i].z - b[j].z);
+      row += spread_distance<domain>(a[i].x - b[j].x, a[i].y - b[j].y, a[i].z - b[j].z, weight);
     sum += row;
   }
   return static_cast<float>(sum / n / n);
