@@ -49,7 +49,8 @@ std::string entry(const OptionRow& row, bool positional) {
       row.value.empty() || positional ? "" : fmt::format(" \\fI{}\\fR", escaped(row.value));
   std::string text = fmt::format(".TP\n{}{}\n{}", fmt::join(names, ", "), value, escaped(row.text));
   if (row.text.empty()) text += "\\&";
-  if (!row.choices.empty()) text += "\n.br\n" + escaped(fmt::format("One of {}.", fmt::join(row.choices, ", ")));
+  if (!row.choices.empty())
+    text += "\n.br\n" + escaped(fmt::format("One of {}.", fmt::join(row.choices, ", ")));
   if (!row.standard.empty()) text += "\n.br\n" + escaped(fmt::format("Default: {}.", row.standard));
   if (row.required) text += "\n.br\nRequired.";
   return text + "\n";

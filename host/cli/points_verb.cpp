@@ -169,7 +169,8 @@ void add_points_verb(CLI::App& app) {
       "  capcon points ccvt --density photo.png       more points where the image is bright\n"
       "  capcon points ccvt --density 'x^2 + 0.1'     ... or where the formula is large\n"
       "  capcon points lloyd --domain disk            in the disk of radius 1/2, nothing wraps around\n"
-      "  capcon points import other.csv -o points.txt points of other programs: CSV, NumPy, UTK text, .bin\n\n"
+      "  capcon points import other.csv -o points.txt points of other programs: CSV, NumPy, UTK text, "
+      ".bin\n\n"
       "Points are text, one \"x y\" a line with '#' between sets (the form of UTK).\n");
   auto options = std::make_shared<Options>();
   add_points_options(*verb, *options);

@@ -24,11 +24,6 @@ constexpr std::uint32_t kOutside = 0xffffu;  // in place of a vertex' number
 constexpr std::uint32_t kDealt = 0x80000000u;
 constexpr std::uint32_t kMostSide = 256;  // the table holds vertices and cells as 16-bit numbers
 
-/// floor(a * b / 2^32)
-std::uint32_t scaled(std::uint32_t a, std::uint32_t b) {
-  return std::uint32_t((std::uint64_t(a) * b) >> 32);
-}
-
 /// The cells of the tiling, in an order in which neighbours lie close.
 CellPoints near_cells(std::uint32_t side, std::uint32_t ranks) {
   CellPoints points{{}, ranks, 0};
@@ -95,8 +90,8 @@ class BoundedTileSampler final : public Sampler {
     const std::uint32_t u = reverse_bits(owen_scramble_reversed(place_in_order, within[2])),
                         v = reverse_bits(
                             owen_scramble_reversed(sobol_second_reversed(place_in_order), within[3]));
-    const std::uint32_t width = place.z & ~3u, across = scaled(u, width);
-    FixedPoint p{cell.x + place.x + across, cell.y + place.y + scaled(v, place.w)};
+    const std::uint32_t width = place.z & ~3u, across = multiply_high(u, width);
+    FixedPoint p{cell.x + place.x + across, cell.y + place.y + multiply_high(v, place.w)};
     if ((place.z & 3) != 0 && across >= width >> 1) p.y += (place.z & 1) != 0 ? place.w : 0u - place.w;
     const std::uint32_t turn = set_words(seed(), pixel, dimension)[1];
     p = {turn & 1 ? ~p.x : p.x, turn & 2 ? ~p.y : p.y};
@@ -138,7 +133,7 @@ class BoundedTileSampler final : public Sampler {
   /// unbiased.
   std::uint32_t turned(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const {
     const auto turn = set_words(seed(), pixel, dimension, kPurposeParts)[3];
-    const std::uint32_t place = index + split().points * scaled(turn, split().parts);
+    const std::uint32_t place = index + split().points * multiply_high(turn, split().parts);
     return place >= count() ? place - count() : place;
   }
 

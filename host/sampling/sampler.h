@@ -79,8 +79,8 @@ class Sampler {
 };
 
 /// Names that make_sampler knows for any number of points: random jittered sobol-xor sobol-owen ccvt capcon
-/// capcon-domain fpo halton lattice pmj02 sobol-z. It knows capcon-screen and capcon-bounded too, which are for
-/// some numbers only.
+/// capcon-domain fpo halton lattice pmj02 sobol-z. It knows capcon-screen and capcon-bounded too, which are
+/// for some numbers only.
 const std::vector<std::string>& sampler_names();
 
 /// Those that studies of ambient occlusion and of direct lighting compare unless told otherwise: all but fpo,

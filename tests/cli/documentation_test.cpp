@@ -94,7 +94,7 @@ TEST(Documentation, BashCompletesWhatIsBegun) {
   };
   EXPECT_EQ(completed("capcon ren"), "render\n");
   EXPECT_EQ(completed("capcon render --sa"), "--sampler --samples\n");
-  EXPECT_EQ(completed("capcon render --sampler sobol-"), "sobol-xor sobol-owen\n");
+  EXPECT_EQ(completed("capcon render --sampler sobol-"), "sobol-xor sobol-owen sobol-z\n");
   EXPECT_EQ(completed("capcon render scene.pbrt --integrator \"\""), "ao direct igi path\n");
   EXPECT_EQ(completed("capcon study spl"), "splitting\n");
   EXPECT_EQ(completed("capcon study splitting --comb"), "--combined\n");
