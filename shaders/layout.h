@@ -33,6 +33,7 @@ CAPCON_CONST kSamplerCapconDomain = 6u;
 CAPCON_CONST kSamplerPmj02 = 7u;
 CAPCON_CONST kSamplerCapconScreen = 9u;
 CAPCON_CONST kSamplerSobolZ = 10u;
+CAPCON_CONST kSamplerCapconRanked = 11u;
 CAPCON_CONST kSamplerCapconBounded = 8u;
 
 // Domains of an integral's points: SampleDomain of host/sampling/sampler.h.

@@ -113,6 +113,9 @@ class BoundedTileSampler final : public Sampler {
     return result;
   }
 
+ protected:
+  bool is_stored_by_place() const override { return true; }
+
  private:
   /// Low corner and size in a tile of the k x k; the lowest bits of the width: 1 a twin above, 2 below.
   static glm::uvec4 texel(const EvenCells::Cell& cell, std::uint32_t side) {

@@ -48,6 +48,9 @@ class CornerTileSampler final : public Sampler {
     return result;
   }
 
+ protected:
+  bool is_stored_by_place() const override { return true; }
+
  private:
   CornerTileSampler(const TileSet& set, const TilingCut& cut, std::uint32_t count, std::uint32_t seed,
                     std::uint32_t parts)

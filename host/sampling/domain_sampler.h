@@ -45,6 +45,18 @@ class DomainSampler : public Sampler {
   struct Choice {
     std::uint32_t set, flips, turn;
   };
+  std::uint32_t place_in_order(std::uint32_t index, std::uint32_t count, std::uint32_t stride,
+                               std::uint32_t dimension, std::uint32_t key) const override;
+  /// Of the sets' order: 1 where parts are single points, which any order has.
+  virtual std::uint32_t dealt_parts() const { return split().points == 1 ? 1 : split().parts; }
+  /// Of a set, of which count() are taken.
+  virtual std::uint32_t set_points() const { return count(); }
+  /// The sets, each with its cells in the order that places number.
+  virtual Ensemble ordered_sets(EnsembleDomain domain) const;
+  /// A number of a place in its set, so that near numbers are near each other.
+  virtual std::uint32_t near_place(std::uint32_t place) const { return place; }
+  /// The place in its set of the point at place `index` of the order.
+  virtual std::uint32_t turned(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const;
   virtual Choice choose(std::uint32_t pixel, std::uint32_t dimension, SampleDomain domain,
                         std::uint32_t sets) const;
   /// Those asked for, in the order that their tables have.
@@ -57,13 +69,12 @@ class DomainSampler : public Sampler {
   };
   struct Sets {
     std::uint32_t sets = 1;
-    std::vector<Cell> cells;           ///< set by set, each in Morton order
+    std::vector<Cell> cells;           ///< set by set
     std::vector<std::uint32_t> order;  ///< with parts: [set * count + index]: place in the set, part by part
   };
 
-  static Sets make_sets(std::uint32_t count, EnsembleDomain domain, std::uint32_t parts);
+  Sets make_sets(EnsembleDomain domain) const;
   static void append(const Sets& sets, SamplerTables& result);
-  std::uint32_t turned(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const;
   const Sets& sets_in(SampleDomain domain) const;
 
   mutable std::array<std::once_flag, 3> once_;

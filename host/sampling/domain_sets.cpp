@@ -9,6 +9,7 @@
 #include "layout.h"
 #include "sampling/address.h"
 #include "sampling/bits.h"
+#include "sampling/choice.h"
 #include "sampling/domain_sampler.h"
 #include "sampling/ensemble_store.h"
 #include "sampling/samplers.h"
@@ -40,6 +41,19 @@ void check_count(std::uint32_t count) {
   }
 }
 
+struct MortonLess {
+  std::uint32_t columns;
+  bool operator()(std::uint32_t a, std::uint32_t b) const {
+    return morton_code(a % columns, a / columns) < morton_code(b % columns, b / columns);
+  }
+};
+
+/// Every `length` cells in Morton order.
+void sort_each(Ensemble& e, std::ptrdiff_t length) {
+  for (auto first = e.cells.begin(); first != e.cells.end(); first += length)
+    std::sort(first, first + length, MortonLess{e.columns});
+}
+
 }  // namespace
 
 EnsembleDomain ensemble_domain(SampleDomain domain) {
@@ -48,31 +62,27 @@ EnsembleDomain ensemble_domain(SampleDomain domain) {
                                           : EnsembleDomain::cylinder;
 }
 
-DomainSampler::Sets DomainSampler::make_sets(std::uint32_t count, EnsembleDomain domain,
-                                             std::uint32_t parts) {
-  Ensemble e = *made_once(std::pair(count, domain), [&] { return stored_ensemble(count, domain); });
-  // In Morton order lanes that run in step take neighbouring points; a rotation or a flip keeps them
-  // neighbours.
-  const auto less = [&](std::uint32_t a, std::uint32_t b) {
-    return morton_code(a % e.columns, a / e.columns) < morton_code(b % e.columns, b / e.columns);
-  };
-  const auto sort_each = [&](std::vector<std::uint32_t>& cells, std::ptrdiff_t length) {
-    for (auto first = cells.begin(); first != cells.end(); first += length)
-      std::sort(first, first + length, less);
-  };
-  sort_each(e.cells, count);
+/// In Morton order lanes that run in step take neighbouring points; a flip keeps them neighbours.
+Ensemble DomainSampler::ordered_sets(EnsembleDomain domain) const {
+  Ensemble e = *made_once(std::pair(count(), domain), [&] { return stored_ensemble(count(), domain); });
+  sort_each(e, count());
+  return e;
+}
+
+DomainSampler::Sets DomainSampler::make_sets(EnsembleDomain domain) const {
+  const Ensemble e = ordered_sets(domain);
   Sets result{e.sets, {}, {}};
   result.cells.reserve(e.cells.size());
   for (const std::uint32_t c : e.cells) {
     const std::uint32_t i = c % e.columns, j = c / e.columns;
     result.cells.push_back({border(i, e.columns), border(j, e.rows), width(i, e.columns), width(j, e.rows)});
   }
-  if (parts == 1) return result;
-  Ensemble dealt = stored_parts(e, domain, parts);
-  sort_each(dealt.cells, count / parts);
+  if (dealt_parts() == 1) return result;
+  Ensemble dealt = stored_parts(e, domain, dealt_parts());
+  sort_each(dealt, split().points);
   for (std::size_t k = 0; k < dealt.cells.size(); ++k) {
-    const auto first = e.cells.begin() + std::ptrdiff_t(k / count * count);
-    const auto found = std::lower_bound(first, first + count, dealt.cells[k], less);
+    const auto first = e.cells.begin() + std::ptrdiff_t(k / count() * count());
+    const auto found = std::lower_bound(first, first + count(), dealt.cells[k], MortonLess{e.columns});
     result.order.push_back(static_cast<std::uint32_t>(found - first));
   }
   return result;
@@ -82,20 +92,28 @@ FixedPoint DomainSampler::point(std::uint32_t pixel, std::uint32_t index, std::u
                                 SampleDomain domain) const {
   const Sets& sets = sets_in(domain);
   const Choice choice = choose(pixel, dimension, domain, sets.sets);
-  const std::size_t set = std::size_t(choice.set) * count();
-  const std::uint32_t place = sets.order.empty() ? index : sets.order[set + turned(pixel, index, dimension)];
+  const std::size_t set = std::size_t(choice.set) * set_points();
+  const std::uint32_t at = turned(pixel, index, dimension),
+                      place = sets.order.empty() ? at : sets.order[set + at];
   const Cell& cell = sets.cells[set + place];
   // Where in its cell: an Owen-scrambled net over the set's order, so that neighbours' places in their
   // cells balance. Each is uniform, which is all that unbiasedness needs.
   const auto within = set_words(seed(), pixel, dimension, kPurposeWithin);
-  const std::uint32_t u = reverse_bits(owen_scramble_reversed(place, within[2])),
-                      v = reverse_bits(owen_scramble_reversed(sobol_second_reversed(place), within[3]));
+  const std::uint32_t near = near_place(place), u = reverse_bits(owen_scramble_reversed(near, within[2])),
+                      v = reverse_bits(owen_scramble_reversed(sobol_second_reversed(near), within[3]));
   const FixedPoint p{cell.x + multiply_high(u, cell.width), cell.y + multiply_high(v, cell.height)};
   if (domain == SampleDomain::cylinder) return {p.x + choice.turn, (choice.flips & 1) != 0 ? ~p.y : p.y};
   // The square's eight symmetries, which the concentric map makes the disk's.
   FixedPoint q{choice.flips & 1 ? ~p.x : p.x, choice.flips & 2 ? ~p.y : p.y};
   if (choice.flips & 4) std::swap(q.x, q.y);
   return q;
+}
+
+/// Places are in Morton order, whose blocks are regions: those of two pairs are matched.
+std::uint32_t DomainSampler::place_in_order(std::uint32_t index, std::uint32_t count, std::uint32_t,
+                                            std::uint32_t dimension, std::uint32_t key) const {
+  if (matched_regions(count) < 2) return permute(index, count, key);
+  return matched_place(index, count, dimension == layout::kPairImage, key);
 }
 
 DomainSampler::Choice DomainSampler::choose(std::uint32_t pixel, std::uint32_t dimension, SampleDomain domain,
@@ -116,7 +134,7 @@ std::vector<SampleDomain> DomainSampler::in_table_order(const std::vector<Sample
 }
 
 SamplerTables DomainSampler::tables(const std::vector<SampleDomain>& domains) const {
-  SamplerTables result{layout::kSamplerCapconDomain, {0, 0, 0, split().parts}, {}};
+  SamplerTables result{layout::kSamplerCapconDomain, {0, 0, 0, dealt_parts()}, {}};
   for (const SampleDomain d : in_table_order(domains)) {
     const std::uint32_t sets = sets_in(d).sets;
     if (d == SampleDomain::disk) result.constants[0] = sets;
@@ -137,6 +155,7 @@ void DomainSampler::append(const Sets& sets, SamplerTables& result) {
 
 /// A part alone leaves out most cells of its set: which part comes first is random, so that each is unbiased.
 std::uint32_t DomainSampler::turned(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const {
+  if (dealt_parts() == 1) return index;
   const auto turn = set_words(seed(), pixel, dimension, kPurposeParts)[3];
   const std::uint32_t place = index + split().points * multiply_high(turn, split().parts);
   return place >= count() ? place - count() : place;
@@ -147,8 +166,7 @@ const DomainSampler::Sets& DomainSampler::sets_in(SampleDomain domain) const {
   const auto d = static_cast<std::size_t>(domain);
   std::call_once(once_[d], [&] {
     const EnsembleDomain in = ensemble_domain(domain);
-    sets_[d] = made_once(std::tuple(count(), in, split().parts),
-                         [&] { return make_sets(count(), in, split().parts); });
+    sets_[d] = made_once(std::tuple(name(), set_points(), in, dealt_parts()), [&] { return make_sets(in); });
   });
   return *sets_[d];
 }

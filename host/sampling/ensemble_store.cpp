@@ -11,6 +11,7 @@
 #include "base/hash.h"
 #include "base/little_endian.h"
 #include "base/sealed.h"
+#include "points/ranked_order.h"
 
 namespace capcon {
 namespace {
@@ -21,6 +22,9 @@ constexpr int kMaking = 2;
 
 // The same of the ways parts are dealt.
 constexpr int kDealing = 1;
+
+// The same of the way sets are ranked.
+constexpr int kRanking = 1;
 // Distances that dealing computes at least for its result to be kept: a tenth of a second's work.
 constexpr double kWorthKeeping = 8e6;
 
@@ -61,6 +65,10 @@ std::vector<std::uint32_t> sorted_sets(const Ensemble& e) {
   return cells;
 }
 
+bool has_same_sets(const Ensemble& a, const Ensemble& b) {
+  return a.columns == b.columns && a.rows == b.rows && a.sets == b.sets && sorted_sets(a) == sorted_sets(b);
+}
+
 }  // namespace
 
 const std::vector<std::uint32_t>& shipped_ensemble_sizes() {
@@ -90,10 +98,7 @@ Ensemble stored_parts(const Ensemble& ensemble, EnsembleDomain domain, std::uint
     return dealt;
   };
   if (double(points) * points * ensemble.sets < kWorthKeeping) return deal();
-  const auto deals_these = [&](const Ensemble& e) {
-    return e.columns == ensemble.columns && e.rows == ensemble.rows && e.sets == ensemble.sets &&
-           sorted_sets(e) == sorted_sets(ensemble);
-  };
+  const auto deals_these = [&](const Ensemble& e) { return has_same_sets(e, ensemble); };
   return cached_or_made(
       fmt::format("{}-{}-in-{}-{}-{}.ensembles", domain_name(domain), points, parts, kMaking, kDealing),
       {.points = points, .domain = domain}, deal, deals_these);
@@ -111,6 +116,19 @@ Ensemble stored_ensemble(std::uint32_t points, EnsembleDomain domain) {
     if (stored.options.points == points && stored.options.domain == domain) return std::move(stored.ensemble);
   throw InputError(
       fmt::format("{}: holds no sets of {} points; copy the shipped file again", path.string(), points));
+}
+
+Ensemble stored_ranked_sets(std::uint32_t points, EnsembleDomain domain) {
+  const Ensemble ensemble = stored_ensemble(points, domain);
+  return cached_or_made(
+      fmt::format("{}-{}-ranked-{}-{}.ensembles", domain_name(domain), points, kMaking, kRanking),
+      {.points = points, .domain = domain},
+      [&] {
+        Ensemble ranked = ensemble;
+        rank_cells(ranked, domain);
+        return ranked;
+      },
+      [&](const Ensemble& e) { return has_same_sets(e, ensemble); });
 }
 
 ScreenMask stored_screen_mask(std::uint32_t points, EnsembleDomain domain) {

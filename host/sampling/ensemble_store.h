@@ -19,6 +19,10 @@ Ensemble stored_ensemble(std::uint32_t points, EnsembleDomain domain);
 /// long and it has been done before. A file that is broken, or deals other sets, is ignored and written anew.
 Ensemble stored_parts(const Ensemble& ensemble, EnsembleDomain domain, std::uint32_t parts);
 
+/// stored_ensemble's sets with their cells ranked (rank_cells): made now, or found in the user's cache where
+/// that takes long.
+Ensemble stored_ranked_sets(std::uint32_t points, EnsembleDomain domain);
+
 /// The mask of stored_ensemble's sets: from the user's cache, or made now (seconds) and kept there.
 ScreenMask stored_screen_mask(std::uint32_t points, EnsembleDomain domain);
 

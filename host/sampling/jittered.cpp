@@ -58,6 +58,9 @@ class JitteredSampler final : public Sampler {
     return {layout::kSamplerJittered, {columns_, rows_ | block_rows << 16, 0, split().parts}, {}};
   }
 
+ protected:
+  bool is_stored_by_place() const override { return true; }
+
  private:
   struct Stratum {
     std::uint32_t column, row;

@@ -34,6 +34,9 @@ class RotatedSetSampler final : public Sampler {
     return result;
   }
 
+ protected:
+  bool is_stored_by_place() const override { return true; }
+
  private:
   std::vector<FixedPoint> points_;
 };

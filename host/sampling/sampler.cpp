@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "sampling/address.h"
 #include "sampling/bits.h"
+#include "sampling/choice.h"
 #include "sampling/point_file.h"
 #include "sampling/samplers.h"
 
@@ -29,6 +30,7 @@ const std::vector<std::pair<std::string, Maker>>& makers() {
       {"ccvt", make_ccvt_sampler},
       {"capcon", make_capcon_sampler},
       {"capcon-domain", make_capcon_domain_sampler},
+      {"capcon-ranked", make_capcon_ranked_sampler},
       {"fpo", make_fpo_sampler},
       {"halton", make_halton_sampler},
       {"lattice", make_lattice_sampler},
@@ -70,7 +72,15 @@ Sampler::Sampler(std::string name, std::uint32_t count, std::uint32_t seed, std:
       seed_(seed) {}
 
 std::uint32_t Sampler::shuffled(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const {
-  return shuffle_split(index, split_, set_words(seed_, pixel, dimension)[2]);
+  const std::uint32_t key = set_words(seed_, pixel, dimension)[2];
+  if (split_.parts > 1 && split_.points > 1) return shuffle_split(index, split_, key);
+  return place_in_order(index, count(), split_.parts > 1 ? split_.part_stride : split_.point_stride,
+                        dimension, key);
+}
+
+std::uint32_t Sampler::place_in_order(std::uint32_t index, std::uint32_t count, std::uint32_t stride,
+                                      std::uint32_t, std::uint32_t key) const {
+  return is_stored_by_place() ? permute(index, count, key) : shuffle_index(index, count, stride, key);
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view name, std::uint32_t count, std::uint32_t seed,

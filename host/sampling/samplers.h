@@ -42,6 +42,11 @@ std::unique_ptr<Sampler> make_capcon_bounded_sampler(std::uint32_t count, std::u
 std::unique_ptr<Sampler> make_capcon_domain_sampler(std::uint32_t count, std::uint32_t seed,
                                                     std::uint32_t parts);
 
+/// The first points of such sets of 256, or of 1,024 for more: the beginning of a sequence, for progressive
+/// rendering. InputError beyond 1,024.
+std::unique_ptr<Sampler> make_capcon_ranked_sampler(std::uint32_t count, std::uint32_t seed,
+                                                    std::uint32_t parts);
+
 /// The same sets, given to the pixels of an image by a mask (points/screen_mask.h) so that its error is blue
 /// noise. InputError for more than kMostScreenPoints points.
 std::unique_ptr<Sampler> make_capcon_screen_sampler(std::uint32_t count, std::uint32_t seed,

@@ -21,7 +21,7 @@ class ScreenSampler final : public DomainSampler {
   SamplerTables tables(const std::vector<SampleDomain>& domains) const override {
     SamplerTables result = DomainSampler::tables(domains);
     result.id = layout::kSamplerCapconScreen;
-    result.constants[2] = split().parts << 16;  // where the third word is a stride, there are no parts
+    result.constants[2] = dealt_parts() << 16;  // where the third word is a stride, there are no parts
     result.constants[3] = (result.constants[3] & 0xffff0000u) | (width_ & 0xffffu);
     for (const SampleDomain d : in_table_order(domains)) {
       const auto& keys = mask_in(d).keys;

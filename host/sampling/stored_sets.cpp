@@ -59,6 +59,9 @@ class StoredSetsSampler final : public Sampler {
     return result;
   }
 
+ protected:
+  bool is_stored_by_place() const override { return randomisation_ != Randomisation::xor_digits; }
+
  private:
   std::uint32_t sets_;
   Randomisation randomisation_;

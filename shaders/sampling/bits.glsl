@@ -40,3 +40,44 @@ uint shuffle_index(uint index, uint count, uint stride, uint key) {
   }
   return multiply_add_modulo(index, stride, key % count, count);
 }
+
+uint matched_regions(uint count) { return min(1u << (uint(findMSB(count)) >> 1u), count & (0u - count)); }
+
+uint times_x(uint c, uint q) { return q > 2u ? (c << 1u ^ ((c & (q >> 1u)) != 0u ? (q == 32u ? 5u : 3u) : 0u)) & (q - 1u) : 0u; }
+
+uint matched_place(uint index, uint count, bool one, uint key) {
+  uint q = matched_regions(count);
+  uint m = count >> uint(findMSB(q));
+  uint r = uint((float(index) + 0.5) / float(m));  // both below 4097: exact, and quicker than whole numbers' division
+  uint c = index - r * m;
+  uint digit = c & (q - 1u);
+  uint region = (r ^ (one ? digit : times_x(digit, q)) ^ (key >> 16u)) & (q - 1u);
+  uint shift = multiply_high(key, m);
+  uint turned = c + shift;
+  return region * m + ((m & (m - 1u)) == 0u ? c ^ shift : turned >= m ? turned - m : turned);
+}
+
+uint ranked_set_points(uint count) { return count <= 256u ? 256u : 1024u; }
+
+uint matched_rank(uint index, uint points, bool one) {
+  bool large = points > 256u;
+  uint q = large ? 32u : 16u;
+  uint c = index / q;
+  uint adds = one ? 0x051u : large ? 0xc43u : 0x012u;
+  uint factor = large ? (one ? 2u : 6u) : one ? 3u : 10u;
+  uint result = index;
+  result ^= (index & 4u) != 0u ? adds & 15u : 0u;
+  result ^= (index & 8u) != 0u ? adds >> 4u & 15u : 0u;
+  result ^= (index & 16u) != 0u && large ? adds >> 8u & 15u : 0u;
+  for (uint k = 0u; k < 4u; ++k) {
+    result ^= (factor >> k & 1u) != 0u ? c : 0u;
+    c = times_x(c, q);
+  }
+  return result;
+}
+
+uint place_of_rank(uint rank, uint points) {
+  bool large = points > 256u;
+  uint four = (rank & 1u) << 3u | (uint(bitCount(rank & (large ? 31u : 15u))) & 1u) << 2u | (rank & 2u) | (uint(bitCount(rank & 10u)) & 1u);
+  return large ? (four << 1u | (rank >> 2u & 1u)) * 32u + (rank >> 5u) : four * 16u + (rank >> 4u);
+}

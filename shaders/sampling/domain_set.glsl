@@ -2,6 +2,7 @@
 // -, parts | sets of the cylinder << 16 (0: no table of that domain). Table, first of the disk, then of the square and the
 // cylinder: a cell a texel, its low corner and its size, set by set; with parts, the place in its set of each point, part by part,
 // four to a texel.
+// kSamplerCapconRanked has sets of 256 or 1,024 points of which the first are taken (host/sampling/ranked_sets.cpp).
 // kSamplerCapconScreen has the image's width in place of the parts, which are the upper half of the third word, and after all
 // cells the masks of the same domains: eight keys a texel.
 
@@ -35,6 +36,11 @@ uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint ind
   uint round_sets = words.w >> 16u;
   uint sets = disk ? words.x : cylinder ? round_sets : words.y;
   uint split = parts > 1u ? 1u : 0u;
+  bool ranked = kSampler == kSamplerCapconRanked;
+  if (ranked) {
+    count = ranked_set_points(count);
+    index ^= set_words(seed, pixel, dimension, kPurposeParts).w & (count - 1u);
+  }
   uint disk_texels = words.x * count + split * ((words.x * count + 3u) >> 2u);
   uint square_texels = words.y * count + split * ((words.y * count + 3u) >> 2u);
   uint before = disk ? 0u : disk_texels + (cylinder ? square_texels : 0u);
@@ -63,8 +69,9 @@ uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint ind
   }
   uvec4 cell = FETCH(sampler_texels, before + set + place);
   // Where in its cell: an Owen-scrambled net over the set's order.
-  uint u = bitfieldReverse(owen_scramble_reversed(place, within.z));
-  uint v = bitfieldReverse(owen_scramble_reversed(sobol_second_reversed(place), within.w));
+  uint near = ranked ? place_of_rank(place, count) : place;
+  uint u = bitfieldReverse(owen_scramble_reversed(near, within.z));
+  uint v = bitfieldReverse(owen_scramble_reversed(sobol_second_reversed(near), within.w));
   uvec2 p = cell.xy + uvec2(multiply_high(u, cell.z), multiply_high(v, cell.w));
   if (cylinder) return uvec2(p.x + turn, (flips & 1u) != 0u ? ~p.y : p.y);
   // The square's eight symmetries, which the concentric map makes the disk's: either coordinate from the other side, and the two

@@ -72,10 +72,16 @@ uvec2 light_point(Job job, uint dimension, uint domain) {
   bool matters = waits && (push.flags & kDirectPlaces) != 0u;
   while (matters) {  // a jump over the shuffle where it does not matter
     uint key = set_words(seed_of(), job.pixel, dimension, kPurposeSet).z;
-    part = shuffle_index(job.part, push.split.x, push.split.z, key);
+    part = shuffled_part_only(key, push.split, job.part, dimension);
     matters = false;
   }
   place += waits ? part * push.split.y : 0u;
+  // Which points the first of a longer set are is a matter of their order.
+  if (kSampler == kSamplerCapconRanked) {
+    uint alone = place_in_order(push.split.y, push.split.w, job.index, dimension, 0u);
+    uint among = shuffled_part(seed_of(), push.split, job.pixel, job.part, job.index, dimension);
+    place = waits ? among : alone;
+  }
   return point_at(job, place, dimension, domain);
 }
 
@@ -84,7 +90,7 @@ uvec2 bsdf_point(Job job) {
   if (kReceivers != 0u) return independent_point(job, kPairIntegrand);
   bool separate = separate_sets();
   uint place = separate ? job.index : job.part * push.split.y + job.index;
-  bool waits = separate && job.part > 0u && has(kMicrofacets);
+  bool waits = separate && job.part > 0u && (has(kMicrofacets) || kSampler == kSamplerCapconRanked);
   while (waits) {
     uint shuffled_place = shuffled(seed_of(), push.split.y, push.split.w, job.pixel, job.index, kPairIntegrand + (job.part << 16u));
     place = waits ? shuffled_place : place;
