@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "cli/verbs.h"
 #include "image/compare.h"
+#include "image/flip.h"
 #include "image/image.h"
 
 namespace capcon::cli {
@@ -34,7 +35,13 @@ Image absolute_difference(const Image& a, const Image& b) {
   return result;
 }
 
-void print_table(const Comparison& c) {
+/// How different the two look.
+struct Looks {
+  double flip = 0;
+  HdrFlip hdr;
+};
+
+void print_table(const Comparison& c, const Looks& looks) {
   const auto line = [](const std::string& name, const std::string& value, const char* meaning) {
     fmt::print("{:<16} {:>12}  {}\n", name, value, meaning);
   };
@@ -43,6 +50,11 @@ void print_table(const Comparison& c) {
   line("mse clamped", number(c.mse_clamped), "both clamped to [0, 1]");
   line("mse trimmed", number(c.mse_trimmed), "without the worst 1 % of pixels");
   line("relmse", number(c.relmse), "mean of (a - b)^2 / (b^2 + 0.01), b the reference");
+  line("flip", number(looks.flip), "how different they look at exposure 1: mean of LDR-FLIP, 0 to 1");
+  line("flip hdr", number(looks.hdr.value),
+       fmt::format("the same, the worst of {} exposures from 2^{:.1f} to 2^{:.1f}", looks.hdr.exposures,
+                   looks.hdr.start, looks.hdr.stop)
+           .c_str());
   line("max difference", number(c.max_difference), "largest |a - b|");
   line("mean difference", number(c.mean_difference), "mean of a - b");
   line("beyond", number(c.beyond),
@@ -68,10 +80,18 @@ void run(const Options& options) {
   const Comparison comparison = compare(image, reference, options.tolerance);
   if (output.extension() == ".exr") write_exr(output, absolute_difference(image, reference));
   if (output.extension() == ".png") write_png(output, absolute_difference(image, reference));
+  const Looks looks{flip(image, reference), hdr_flip(image, reference)};
   if (options.json) {
-    fmt::print("{}\n", to_json(comparison).dump(2));
+    nlohmann::json json = to_json(comparison);
+    json["flip"] = looks.flip;
+    json["flip_pixels_per_degree"] = kFlipPixelsPerDegree;
+    json["hdr_flip"] = {{"value", looks.hdr.value},
+                        {"exposures", looks.hdr.exposures},
+                        {"start", looks.hdr.start},
+                        {"stop", looks.hdr.stop}};
+    fmt::print("{}\n", json.dump(2));
   } else {
-    print_table(comparison);
+    print_table(comparison, looks);
   }
 }
 
@@ -80,6 +100,9 @@ void run(const Options& options) {
 void add_compare_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("compare", "how far an image is from a reference image");
   auto options = std::make_shared<Options>();
+  verb->footer(
+      "Examples:\n  capcon compare out.exr reference.exr\n  capcon compare out.exr reference.exr -o "
+      "difference.png");
   verb->add_option("image", options->image, "EXR image")->required();
   verb->add_option("reference", options->reference, "EXR image of the same size")->required();
   verb->add_option("-o,--output", options->output, "write |a - b| as an .exr or .png image");

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/statistics.h"
 #include "study/noise.h"
+#include "study/recommendation.h"
 #include "study/runner.h"
 
 namespace capcon {
@@ -15,6 +17,8 @@ namespace capcon {
 struct Cell {
   std::uint32_t samples = 0;
   Interval mse;         ///< after the reference's own error is taken off
+  Interval relmse;      ///< geometric mean; the reference's own error is not taken off
+  Interval flip;        ///< FLIP at exposure 1, arithmetic mean; NaN where it was not measured
   double mean_mse = 0;  ///< the arithmetic mean, for those who compare with other programs
   Interval device_seconds;
   Interval wall_seconds;  ///< with the points' generation
@@ -41,8 +45,9 @@ struct Ratio {
   Interval equal_error;  ///< samples the sampler needs for the baseline's MSE; NaN if out of its range, see
                          ///< `beyond`
   int beyond = 0;        ///< -1: fewer than the fewest samples measured, +1: more than the most
-  Interval equal_time;   ///< MSE / baseline's MSE at the baseline's device seconds; NaN if the sampler was
-                         ///< never so short or long
+  Interval equal_error_time;  ///< device time of these samples / baseline's device time
+  Interval equal_time;  ///< MSE / baseline's MSE at the baseline's device seconds; NaN if the sampler was
+                        ///< never so short or long
 };
 
 inline constexpr double kReferenceMargin = 3;
@@ -54,7 +59,8 @@ struct Figures {
   std::vector<std::string> baselines;  ///< those of sobol-xor and sobol-owen that were measured
   double reference_error = 0;
   std::string clocks;  ///< Clocks::sentence()
-  Noise noise;         ///< of studies that keep the images of their runs
+  std::optional<Recommendation> recommendation;
+  Noise noise;  ///< of studies that keep the images of their runs
 
   const Curve* curve(const std::string& sampler) const;
   const Ratio* ratio(const std::string& sampler, const std::string& baseline, std::uint32_t samples) const;

@@ -38,6 +38,8 @@ json cell_json(const Cell& c) {
   return {{"samples", c.samples},
           {"mse", interval(c.mse)},
           {"mean_mse", number(c.mean_mse)},
+          {"relmse", interval(c.relmse)},
+          {"flip", interval(c.flip)},
           {"sure", c.sure},
           {"device_seconds", interval(c.device_seconds)},
           {"wall_seconds", interval(c.wall_seconds)},
@@ -66,6 +68,7 @@ json to_json(const StudyResult& result, const Figures& figures) {
                       {"mse_ratio", interval(r.mse)},
                       {"equal_error_samples", interval(r.equal_error)},
                       {"equal_error_beyond", r.beyond},
+                      {"equal_error_time_ratio", interval(r.equal_error_time)},
                       {"equal_time_mse_ratio", interval(r.equal_time)}});
   }
   json whole = {{"study", words_of(result.settings.integral).slug},
@@ -83,6 +86,7 @@ json to_json(const StudyResult& result, const Figures& figures) {
                   {"margin", kReferenceMargin}}},
                 {"curves", curves},
                 {"ratios", ratios}};
+  if (figures.recommendation) whole["recommendation"] = to_json(*figures.recommendation);
   if (const Clocks clocks(result); clocks.several()) whole["clocks"] = to_json(clocks);
   if (!figures.noise.cells.empty()) whole["noise"] = noise_json(figures.noise);
   return whole;

@@ -12,14 +12,6 @@
 namespace capcon {
 namespace {
 
-constexpr std::uint32_t kPreferredCount = 64;
-
-/// The number of samples that sentences speak of: 64 where measured, else the largest.
-std::uint32_t spoken_count(const StudySettings& settings) {
-  const auto& n = settings.samples;
-  return std::find(n.begin(), n.end(), kPreferredCount) != n.end() ? kPreferredCount : n.back();
-}
-
 std::string needed(const Ratio& ratio, const StudySettings& settings) {
   if (ratio.beyond < 0) return fmt::format("fewer than {}", settings.samples.front());
   if (ratio.beyond > 0) return fmt::format("more than {}", settings.samples.back());
@@ -195,8 +187,9 @@ std::vector<std::string> make_findings(const StudySettings& settings, const Figu
     add(unsure(settings, figures));
     if (settings.seeds < 2) add("There was one seed only: nothing here says how sure the figures are.");
   };
+  if (figures.recommendation) add(sentence(*figures.recommendation, settings, figures));
   if (settings.integral == Integral::global_illumination) {
-    findings = make_igi_findings(settings, figures);
+    for (std::string& finding : make_igi_findings(settings, figures)) add(std::move(finding));
     add_doubts();
     return findings;
   }

@@ -51,6 +51,7 @@ RunRecord record_from(const json& line) {
   r.mse = number(line, "mse");
   r.mse_trimmed = number(line, "mse_trimmed");
   r.relmse = number(line, "relmse");
+  if (line.contains("flip")) r.flip = number(line, "flip");
   if (line.contains("mse_coarse")) r.mse_coarse = number(line, "mse_coarse");
   r.rays = whole<std::uint64_t>(line, "rays");
   r.device_seconds = number(line, "device_seconds");
@@ -90,6 +91,7 @@ json to_json(const RunRecord& r) {
                {"point_generation_seconds", r.point_generation_seconds},
                {"timings", {{"wall", r.timings.wall}, {"device", r.timings.device}}},
                {"device", r.device}};
+  if (r.flip >= 0) line["flip"] = r.flip;
   if (!r.process.empty()) {
     line["process"] = r.process;
     line["calibration_seconds"] = r.calibration_seconds;

@@ -19,6 +19,7 @@ struct RunRecord {
   double mse = 0;
   double mse_trimmed = 0;
   double relmse = 0;
+  double flip = -1;       ///< flip(); below 0 in files from before it was measured
   double mse_coarse = 0;  ///< coarse_mse(); 0 in files from before it was measured
   std::uint64_t rays = 0;
   double device_seconds =

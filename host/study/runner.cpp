@@ -13,6 +13,7 @@
 #include "base/progress.h"
 #include "base/stop.h"
 #include "image/compare.h"
+#include "image/flip.h"
 #include "study/coarse.h"
 #include "study/study_work.h"
 
@@ -63,6 +64,7 @@ Measured measure(const PlannedRun& run, const StudySettings& settings, const Ren
   record.mse = error.mse;
   record.mse_trimmed = error.mse_trimmed;
   record.relmse = error.relmse;
+  record.flip = flip(result.image, reference.image);
   record.mse_coarse = coarse_mse(result.image, reference.image);
   record.rays = result.rays;
   record.device_seconds = device_seconds(result.timings);

@@ -1,0 +1,153 @@
+#include "study/recommendation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "study/columns.h"
+#include "study/format.h"
+
+namespace capcon {
+namespace {
+
+using columns::Kept;
+using Columns = std::map<std::string, std::vector<Column>>;
+
+const Column* column_at(const std::vector<Column>& all, std::uint32_t samples) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Column& c) { return c.samples == samples && c.sure; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// A sampler's MSE within the budget, for some of the seeds; NaN where it was never so short or long.
+class Budget {
+ public:
+  Budget(const Column& base, bool by_time) : base_(base), by_time_(by_time) {}
+
+  double mse(const std::vector<Column>& all, Kept kept, bool extrapolate = false) const {
+    if (!by_time_) {
+      const Column* same = column_at(all, base_.samples);
+      return same ? columns::geometric_mean_of(same->mse, kept) : NAN;
+    }
+    const columns::Path path = columns::path(all, kept);
+    if (path.mse.size() < 2) return NAN;
+    return log_log_interpolate(path.device, path.mse, columns::geometric_mean_of(base_.device, kept),
+                               extrapolate);
+  }
+
+  Interval ratio(const std::vector<Column>& a, const std::vector<Column>& b) const {
+    return exp(jackknife(base_.mse.size(),
+                         [&](Kept kept) { return std::log(mse(a, kept, true) / mse(b, kept, true)); }));
+  }
+
+ private:
+  const Column& base_;
+  bool by_time_;
+};
+
+std::string baseline_of(const Columns& columns, const StudySettings& settings) {
+  for (const char* name : {"sobol-owen", "sobol-xor"}) {
+    if (columns.contains(name)) return name;
+  }
+  return settings.samplers.front();
+}
+
+std::string budget_words(const Recommendation& r, const StudySettings& settings) {
+  const IntegralWords& words = words_of(settings.integral);
+  const std::string count = fmt::format("{} {}", r.samples, r.samples == 1 ? words.one : words.many);
+  return r.by_time ? fmt::format("in the device time of {} of {}", count, r.baseline)
+                   : fmt::format("with {}", count);
+}
+
+}  // namespace
+
+std::uint32_t spoken_count(const StudySettings& settings) {
+  constexpr std::uint32_t kPreferred = 64;
+  const auto& n = settings.samples;
+  if (settings.integral == Integral::global_illumination) return n[n.size() / 2];
+  return std::find(n.begin(), n.end(), kPreferred) != n.end() ? kPreferred : n.back();
+}
+
+std::optional<Recommendation> recommend(const StudySettings& settings, const Columns& columns,
+                                        bool times_comparable) {
+  if (columns.size() < 2) return std::nullopt;
+  Recommendation r;
+  r.baseline = baseline_of(columns, settings);
+  r.by_time = times_comparable;
+  const std::vector<Column>& baseline = columns.at(r.baseline);
+  // Where the reference cannot tell that far, the most samples of which it can.
+  const Column* base = column_at(baseline, spoken_count(settings));
+  for (auto c = baseline.rbegin(); !base && c != baseline.rend(); ++c) base = c->sure ? &*c : nullptr;
+  if (!base) return std::nullopt;
+  r.samples = base->samples;
+  std::vector<std::size_t> all(base->mse.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  const Budget budget(*base, r.by_time);
+  double lowest = INFINITY;
+  std::vector<std::string> names;
+  for (const std::string& name : settings.samplers) {
+    const double mse = budget.mse(columns.at(name), all);
+    if (std::isnan(mse)) continue;
+    names.push_back(name);
+    if (mse < lowest) lowest = mse, r.sampler = name;
+  }
+  r.compared = names.size();
+  if (r.compared < 2) return std::nullopt;
+  const std::vector<Column>& best = columns.at(r.sampler);
+  r.error = budget.ratio(best, baseline);
+  for (const std::string& name : names) {
+    if (name != r.sampler && !budget.ratio(columns.at(name), best).above(1)) r.undecided.push_back(name);
+  }
+  return r;
+}
+
+std::string sentence(const Recommendation& r, const StudySettings& settings, const Figures& figures) {
+  const std::string budget = budget_words(r, settings);
+  std::string figure;
+  if (r.sampler != r.baseline) {
+    figure = fmt::format(", {} times that of {}", with_range(r.error), r.baseline);
+    const Ratio* ratio = figures.ratio(r.sampler, r.baseline, r.samples);
+    if (ratio && !std::isnan(ratio->equal_error.value)) {
+      figure += fmt::format("; it comes to the error of these {} with {} {}", r.samples,
+                            with_range(ratio->equal_error), words_of(settings.integral).many);
+      if (r.by_time && !std::isnan(ratio->equal_error_time.value))
+        figure += fmt::format(", in {} of their time", with_range(ratio->equal_error_time));
+    }
+  }
+  if (settings.seeds < 2) {
+    return fmt::format("{} errs least here {}{}; one seed does not say how sure that is.", r.sampler, budget,
+                       figure);
+  }
+  if (r.undecided.empty()) {
+    return fmt::format(
+        "Use {} here: {} its error is the lowest of {} samplers, and each of the others is "
+        "shown to err more{}.",
+        r.sampler, budget, r.compared, figure);
+  }
+  if (r.undecided.size() + 1 == r.compared) {
+    return fmt::format(
+        "No sampler is shown to be the best here: {} {} errs least{}, but {} seeds do not show "
+        "that any of the others errs more.",
+        budget, r.sampler, figure, settings.seeds);
+  }
+  return fmt::format("{} errs least here {}{}; {} seeds do not show that {} {} more.", r.sampler, budget,
+                     figure, settings.seeds, enumerate(r.undecided),
+                     r.undecided.size() == 1 ? "errs" : "err");
+}
+
+nlohmann::json to_json(const Recommendation& r) {
+  const auto number = [](double v) { return std::isfinite(v) ? nlohmann::json(v) : nlohmann::json(nullptr); };
+  return {{"sampler", r.sampler},
+          {"baseline", r.baseline},
+          {"samples", r.samples},
+          {"at_equal", r.by_time ? "device time" : "samples"},
+          {"mse_ratio",
+           {{"value", number(r.error.value)}, {"low", number(r.error.low)}, {"high", number(r.error.high)}}},
+          {"compared", r.compared},
+          {"undecided", r.undecided}};
+}
+
+}  // namespace capcon
