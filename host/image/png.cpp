@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "image/deflate.h"
 #include "image/image.h"
 
 namespace capcon {
@@ -54,6 +55,18 @@ std::string encode_png(const Image& image, float exposure) {
   if (!stbi_write_png_to_func(append, &png, image.width, image.height, channels, bytes.data(), 0))
     throw std::bad_alloc();
   return png;
+}
+
+std::string deflated(std::string_view bytes) {
+  // What stb's PNGs are made with: it reads and does not write.
+  auto* data = const_cast<unsigned char*>(reinterpret_cast<const unsigned char*>(bytes.data()));
+  int length = 0;
+  constexpr int kQuality = 16;
+  unsigned char* result = stbi_zlib_compress(data, static_cast<int>(bytes.size()), &length, kQuality);
+  if (!result) throw std::bad_alloc();
+  std::string text(reinterpret_cast<char*>(result), static_cast<std::size_t>(length));
+  STBIW_FREE(result);
+  return text;
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, float exposure) {

@@ -94,16 +94,14 @@ std::string html_page(const Experiment& experiment, const Analysis& analysis,
                       const std::vector<GeneratorEnergy>& plane, const std::vector<std::string>& findings) {
   const Settings& s = experiment.settings;
   std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\">"
-      "<meta name=\"color-scheme\" content=\"light dark\"><title>Numerical integration: error beside "
+      "<!DOCTYPE html>\n<html lang=\"en\"><head>{}<title>Numerical integration: error beside "
       "bound</title><style>{}{}</style></head><body>\n"
       "<a class=\"skip\" href=\"#findings\">To the findings</a><header><p class=\"kicker\">capcon "
       "integrate</p>"
       "<h1>Known integrals: every estimator’s error beside its bound</h1><p class=\"small\">{} integrands · "
       "{} estimators · n = {} … {} · {} "
       "randomisations · seed {}</p></header>\n<main>\n",
-      report_style(), extra_style(), s.integrands.size(), s.estimators.size(), s.counts.front(),
+      page_meta(), report_style(), extra_style(), s.integrands.size(), s.estimators.size(), s.counts.front(),
       s.counts.back(), s.randomisations, s.seed);
   const auto section = [&](const std::string& id, const std::string& title, const std::string& body) {
     html += fmt::format("<section id=\"{}\"><h2>{}</h2>\n{}</section>\n", id, escape(title), body);
@@ -126,7 +124,7 @@ std::string html_page(const Experiment& experiment, const Analysis& analysis,
             integrand_section(experiment, analysis, i));
   }
   section("methods", "How it was measured", methods_section(experiment));
-  return html + "</main>\n</body></html>\n";
+  return html + "</main>\n" + page_scripts() + "</body></html>\n";
 }
 
 }  // namespace capcon::integrate

@@ -70,11 +70,6 @@ Lines lines_of(const Experiment& experiment, const Analysis& analysis, std::size
   return lines;
 }
 
-std::string figure_html(const Chart& chart, const std::string& caption) {
-  return fmt::format("<figure><h3>{}</h3>{}<figcaption>{}</figcaption></figure>\n", escape(chart.title),
-                     svg_chart(chart), caption);
-}
-
 std::string table_html(const Experiment& experiment, const Analysis& analysis, std::size_t i) {
   const Settings& s = experiment.settings;
   const std::vector<std::size_t> spoken = spoken_counts(s);
@@ -155,10 +150,10 @@ std::string integrand_section(const Experiment& experiment, const Analysis& anal
   else
     html += fmt::format("<p class=\"small\">Importance sampling by the density {}.</p>",
                         escape(integrand.importance->density));
-  html += "<div class=\"charts\">" + figure_html(by_count, caption) +
-          figure_html(by_time,
-                      "From nothing: making the points, weights, evaluation. Dashed: with the set that all "
-                      "randomisations share at hand.") +
+  html += "<div class=\"charts\">" + chart_figure(by_count, caption) +
+          chart_figure(by_time,
+                       "From nothing: making the points, weights, evaluation. Dashed: with the set that all "
+                       "randomisations share at hand.") +
           "</div>";
   return html + "<details><summary>All figures</summary>" + table_html(experiment, analysis, i) +
          "</details>";

@@ -106,7 +106,8 @@ std::string path(const std::vector<ChartPoint>& points, const LogAxis& x, const 
 }
 
 std::string line_svg(const ChartLine& line, const LogAxis& x, const LogAxis& y) {
-  std::string svg = fmt::format("<g class=\"s{}{}\">", line.style, line.strong ? " strong" : "");
+  std::string svg =
+      fmt::format("<g class=\"s{} d{}{}\">", line.style, line.dash, line.strong ? " strong" : "");
   svg += path(line.companion, x, y, "class=\"line companion\"");
   svg += path(line.points, x, y, "class=\"line\"");
   for (const ChartPoint& p : line.points) {

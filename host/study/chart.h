@@ -21,6 +21,7 @@ struct ChartLine {
   bool strong = false;  ///< the line a study is about
   std::vector<ChartPoint> points;
   std::vector<ChartPoint> companion;  ///< dashed, without markers; may be empty
+  int dash = 0;                       ///< class "d<dash>": which of several results; 0: one of one
 };
 
 struct Chart {
@@ -38,6 +39,10 @@ struct Chart {
 /// A log-log chart as inline SVG: grid with minor ticks, 95 % bars, a marker and colour a line, and the
 /// line's name at its end. Colours come from the page's style sheet.
 std::string svg_chart(const Chart& chart);
+
+/// The chart as a figure of a page: the drawing, and its data for the charts that scripts put in its place.
+/// `caption` is HTML.
+std::string chart_figure(const Chart& chart, const std::string& caption);
 
 /// A small picture of a line's marker, for tables and legends.
 std::string svg_marker(int style);

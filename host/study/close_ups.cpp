@@ -5,6 +5,7 @@
 
 #include "base/progress.h"
 #include "image/compare.h"
+#include "image/flip.h"
 
 namespace capcon {
 namespace {
@@ -19,13 +20,6 @@ struct Extent {
 /// Blotches are as large as the room is; and every set is hundreds of rays a pixel.
 Extent extent_of(Integral integral) {
   return integral == Integral::global_illumination ? Extent{8e3, 32, 0.5} : Extent{};
-}
-
-Image difference(const Image& a, const Image& b) {
-  Image result = a;
-  for (std::size_t i = 0; i < result.pixels.size(); ++i)
-    result.pixels[i] = std::abs(a.pixels[i] - b.pixels[i]);
-  return result;
 }
 
 /// 4 and 16 samples; 4 sets; of splits the one in the middle.
@@ -47,6 +41,13 @@ float common_exposure(const std::vector<CloseUp>& views) {
 }
 
 }  // namespace
+
+Image absolute_difference(const Image& a, const Image& b) {
+  Image result = a;
+  for (std::size_t i = 0; i < result.pixels.size(); ++i)
+    result.pixels[i] = std::abs(a.pixels[i] - b.pixels[i]);
+  return result;
+}
 
 Image crop(const Image& image, const Region& region) {
   Image result(region.width, region.height, image.channels);
@@ -105,7 +106,7 @@ CloseUps make_close_ups(const StudySettings& settings, const MakeStudyDevice& ma
   for (const std::uint32_t samples : result.samples) {
     for (const std::string& sampler : settings.samplers) {
       images.push_back(render(make_job(settings, {sampler, samples, result.seed}), samples));
-      result.views.push_back({sampler, samples, {}, {}, 0});
+      result.views.push_back({sampler, samples, {}, {}, 0, 0});
       if (samples != result.samples.back()) continue;
       const int channels = result.picture.channels;
       for (std::size_t i = 0; i < result.picture.pixels.size(); ++i) {
@@ -120,7 +121,8 @@ CloseUps make_close_ups(const StudySettings& settings, const MakeStudyDevice& ma
   for (std::size_t i = 0; i < images.size(); ++i) {
     CloseUp& view = result.views[i];
     view.crop = crop(images[i], result.region);
-    view.difference = difference(view.crop, result.reference);
+    view.difference = absolute_difference(view.crop, result.reference);
+    view.flip = flip(view.crop, result.reference);
     view.mse = compare(view.crop, result.reference).mse;
   }
   result.exposure = common_exposure(result.views);

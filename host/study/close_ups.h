@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,7 @@ struct CloseUp {
   Image crop;
   Image difference;  ///< |crop - reference|
   double mse = 0;    ///< inside the region
+  double flip = 0;   ///< the same, flip()
 };
 
 struct CloseUps {
@@ -34,11 +37,22 @@ struct CloseUps {
 /// The window of a map of errors that holds most of them.
 Region worst_region(const Image& errors, int width, int height);
 Image crop(const Image& image, const Region& region);
+/// |a - b| of images of one shape.
+Image absolute_difference(const Image& a, const Image& b);
 
 /// Renders the scene larger, with every sampler at 4 and 16 samples (splitting: at the middle one of its
 /// splits; global illumination: at 4 sets), and cuts out the region where all samplers together err most at
 /// the last of these: nobody's choice, and where a difference shows first.
 CloseUps make_close_ups(const StudySettings& settings, const MakeStudyDevice& make_device,
                         const RunnerOptions& options);
+
+/// Beside a study's other files.
+inline constexpr const char* kCloseUpFolder = "close-ups";
+
+/// Keeps them in `folder` (it is created), so that the report can be made again without a device: the picture
+/// and the crops as EXR, what they are in close-ups.json. `hash`: of the settings they were made with.
+void write_close_ups(const std::filesystem::path& folder, const CloseUps& close_ups, const std::string& hash);
+/// The same, if they are there, whole and of these settings; else nothing.
+std::optional<CloseUps> read_close_ups(const std::filesystem::path& folder, const std::string& hash);
 
 }  // namespace capcon

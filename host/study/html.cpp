@@ -2,12 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+#include <cmath>
 #include <cstdint>
+#include <cstring>
 
 namespace capcon {
 namespace {
 
-/// RFC 4648.
+/// For the address of a data: URL.
+std::string percent_encoded(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (std::isalnum(static_cast<unsigned char>(c)) || std::strchr(",.-_:/()+", c)) {
+      result += c;
+    } else {
+      result += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
 std::string base64(std::string_view bytes) {
   static constexpr char kAlphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -21,8 +38,6 @@ std::string base64(std::string_view bytes) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string escape(std::string_view text) {
   std::string result;
@@ -55,11 +70,52 @@ std::string embedded_image(const Image& image, float exposure, const std::string
                      escape(alt), image.width, image.height, base64(encode_png(image, exposure)));
 }
 
+void Csv::separate() {
+  if (!first_) text_ += ',';
+  first_ = false;
+}
+
+Csv& Csv::add(double v) {
+  separate();
+  if (std::isfinite(v)) text_ += fmt::format("{}", v);
+  return *this;
+}
+
+Csv& Csv::add(std::string_view text) {
+  separate();
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    text_ += text;
+    return *this;
+  }
+  text_ += '"';
+  for (const char c : text) text_ += c == '"' ? "\"\"" : std::string(1, c);
+  text_ += '"';
+  return *this;
+}
+
+void Csv::end_row() {
+  text_ += '\n';
+  first_ = true;
+}
+
+std::string Csv::link(const std::string& file, const std::string& what) const {
+  return fmt::format(
+      "<a class=\"csv\" download=\"{}\" href=\"data:text/csv;charset=utf-8,{}\" aria-label=\"CSV of: "
+      "{}\">CSV</a>",
+      escape(file), percent_encoded(text_), escape(what));
+}
+
+std::string data_script(const std::string& attributes, std::string json) {
+  for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at))
+    json.replace(at, 1, "\\u003c");
+  return fmt::format("<script {}>{}</script>", attributes, json);
+}
+
 std::string HtmlTable::str() const {
   std::string html = fmt::format(
       "<div class=\"scroll\" role=\"region\" tabindex=\"0\" "
-      "aria-label=\"{}\"><table><caption>{}</caption><thead><tr>",
-      escape(caption_), escape(caption_));
+      "aria-label=\"{}\"><table><caption>{} {}</caption><thead><tr>",
+      escape(caption_), escape(caption_), link_);
   for (const std::string& cell : head_) html += "<th scope=\"col\">" + cell + "</th>";
   html += "</tr></thead><tbody>";
   for (const auto& row : rows_) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "sampling/sampler.h"
 #include "study/chart.h"
@@ -55,16 +56,14 @@ std::string html_report(const StudyResult& result, const Figures& figures,
   const StudySettings& s = result.settings;
   const std::string device = result.device.value("name", "unknown device");
   std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-      "<meta name=\"color-scheme\" content=\"light dark\"><title>{}: error against run "
+      "<!DOCTYPE html>\n<html lang=\"en\"><head>{}<title>{}: error against run "
       "time</title>"
       "<style>{}</style></head><body>\n<a class=\"skip\" href=\"#charts\">To the charts</a>"
       "<header><p class=\"kicker\">capcon study · {}</p><h1>Error against run time, sampler "
       "by sampler</h1>"
       "<p class=\"small\">{} · {} × {} pixels · {} instanced triangles · {} · {}</p></header>\n<main>\n",
-      words_of(s.integral).title, report_style(), words_of(s.integral).title, escape(s.scene), s.width,
-      s.height, grouped(s.instanced_triangles), escape(device), escape(result.started));
+      page_meta(), words_of(s.integral).title, report_style(), words_of(s.integral).title, escape(s.scene),
+      s.width, s.height, grouped(s.instanced_triangles), escape(device), escape(result.started));
   const auto section = [&](const char* id, const std::string& title, const std::string& body) {
     html += fmt::format("<section id=\"{}\"><h2>{}</h2>\n{}</section>\n", id, title, body);
   };
@@ -78,7 +77,10 @@ std::string html_report(const StudyResult& result, const Figures& figures,
   section("tables", "The figures", report_tables(result, figures));
   if (explanation) section("left-out", "What was left out", report_explanation(s, *explanation));
   section("methods", "What ran, and how each figure is computed", report_methods(result, figures));
-  return html + "</main>\n</body></html>\n";
+  nlohmann::json json = to_json(result, figures);
+  if (explanation) json["explanation"] = to_json(*explanation);
+  return html + "</main>\n" + data_script("type=\"application/json\" id=\"study-json\"", json.dump()) +
+         page_scripts() + "</body></html>\n";
 }
 
 }  // namespace capcon

@@ -10,7 +10,8 @@
 
 namespace capcon {
 
-/// The whole page: one HTML file that loads nothing else and runs no scripts.
+/// The whole page: one HTML file that loads nothing else. Without scripts it is complete; with them its
+/// charts answer to the pointer and zoom, and images are compared under a wipe.
 std::string html_report(const StudyResult& result, const Figures& figures,
                         const std::optional<CloseUps>& close_ups,
                         const std::optional<Explanation>& explanation = {});
@@ -28,8 +29,14 @@ std::string report_close_ups(const StudySettings& settings, const CloseUps& clos
 std::string report_explanation(const StudySettings& settings, const Explanation& explanation);
 /// What ran, and how each figure is computed.
 std::string report_methods(const StudyResult& result, const Figures& figures);
+/// Compares the close-ups with the pointer: a place for page/viewer.js, and the images as linear values.
+std::string report_viewer(const StudySettings& settings, const CloseUps& close_ups);
 /// The style sheet: light and dark, screen and paper.
 std::string_view report_style();
+/// What goes into <head> of every page: nothing may be loaded from elsewhere.
+std::string_view page_meta();
+/// What goes to the end of a page: the chart library where it was found at build time, and page/*.js.
+std::string page_scripts();
 
 /// Colour and marker of a sampler: known ones always keep theirs, others take those that are left.
 int sampler_style(const std::string& sampler, const StudySettings& settings);

@@ -41,11 +41,6 @@ ChartLine line_of(const Curve& curve, const StudySettings& settings, const Place
           {}};
 }
 
-std::string figure(const Chart& chart, const std::string& caption) {
-  return fmt::format("<figure><h3>{}</h3>{}<figcaption>{}</figcaption></figure>\n", escape(chart.title),
-                     svg_chart(chart), caption);
-}
-
 std::string error_chart(const StudyResult& result, const Figures& figures) {
   Chart chart{"c-samples",
               fmt::format("Error against {}", words_of(result.settings.integral).many),
@@ -60,8 +55,8 @@ std::string error_chart(const StudyResult& result, const Figures& figures) {
   for (const Curve& curve : figures.curves) {
     chart.lines.push_back(line_of(curve, result.settings, [](const Cell& c) { return exactly(c.samples); }));
   }
-  return figure(chart,
-                "Lower is better. Bars: 95 % intervals over the seeds, often smaller than the marker.");
+  return chart_figure(chart,
+                      "Lower is better. Bars: 95 % intervals over the seeds, often smaller than the marker.");
 }
 
 std::string relative_chart(const StudyResult& result, const Figures& figures, const std::string& baseline) {
@@ -99,8 +94,9 @@ std::string relative_chart(const StudyResult& result, const Figures& figures, co
       chart.lines.push_back(line);
     }
   }
-  return figure(chart, fmt::format("Below the heavy line a sampler errs less than {} with as many {}.{}",
-                                   baseline, words_of(result.settings.integral).many, left_out));
+  return chart_figure(
+      chart, fmt::format("Below the heavy line a sampler errs less than {} with as many {}.{}", baseline,
+                         words_of(result.settings.integral).many, left_out));
 }
 
 std::string device_chart(const StudyResult& result, const Figures& figures) {
@@ -116,7 +112,7 @@ std::string device_chart(const StudyResult& result, const Figures& figures) {
   for (const Curve& curve : figures.curves) {
     chart.lines.push_back(line_of(curve, result.settings, [](const Cell& c) { return c.device_seconds; }));
   }
-  return figure(
+  return chart_figure(
       chart,
       "Sum of the device's own timestamps over all stages of a render; bars across: its 95 % interval.");
 }
@@ -136,7 +132,7 @@ std::string wall_chart(const StudyResult& result, const Figures& figures) {
     line.companion = points_of(curve, [](const Cell& c) { return c.wall_without_points; });
     chart.lines.push_back(line);
   }
-  return figure(
+  return chart_figure(
       chart,
       "Seconds on the clock from job to image, with making the points; dashed: without making the points.");
 }

@@ -36,6 +36,7 @@ std::string report_close_ups(const StudySettings& settings, const CloseUps& c) {
           "<figure class=\"overview\"><div class=\"framed\">{}</div><figcaption>The framed region, the "
           "reference for the close-ups.</figcaption></figure></div>",
           embedded_image(c.reference, 1, "The framed region, converged"));
+  html += report_viewer(settings, c);
   for (const std::uint32_t samples : c.samples) {
     std::string renders = view(c.reference, 1, "The reference", "reference");
     std::string differences = fmt::format("<p class=\"small\">|render − reference| × {:g}</p>", c.exposure);
@@ -46,7 +47,7 @@ std::string report_close_ups(const StudySettings& settings, const CloseUps& c) {
                       fmt::format("{} at {} {}", v.sampler, samples, words_of(settings.integral).many), name);
       differences +=
           view(v.difference, c.exposure, fmt::format("Difference of {} from the reference", v.sampler),
-               "MSE " + scientific(v.mse));
+               fmt::format("MSE {}<br>FLIP {:.3f}", scientific(v.mse), v.flip));
     }
     html += fmt::format(
         "<h3>{} {}</h3><div class=\"scroll\" role=\"region\" tabindex=\"0\" "
@@ -60,7 +61,7 @@ std::string report_close_ups(const StudySettings& settings, const CloseUps& c) {
              "<p class=\"small\">Above the render, below it |render − reference| times {:g}, the same for "
              "all of "
              "them, both as sRGB. The region is the one where all samplers together err most at {} {}. "
-             "Seed {} of each; MSE within the region.</p>",
+             "Seed {} of each; MSE and FLIP within the region.</p>",
              c.exposure, c.samples.back(), words_of(settings.integral).many, c.seed);
 }
 

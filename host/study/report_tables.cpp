@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "study/chart.h"
@@ -37,6 +38,90 @@ std::string ratio_cell(const Interval& v, double even) {
   return cell(short_number(v.value), range(v), v.below(even) ? "better" : v.above(even) ? "worse" : "");
 }
 
+/// Every cell's figures with their intervals.
+Csv cells_csv(const Figures& figures) {
+  Csv csv(
+      "sampler,samples,sure,mse,mse_low,mse_high,relmse,relmse_low,relmse_high,flip,flip_low,flip_high,mean_"
+      "mse,"
+      "device_seconds,device_seconds_low,device_seconds_high,wall_seconds,wall_seconds_low,wall_seconds_high,"
+      "point_generation_seconds");
+  for (const Curve& curve : figures.curves) {
+    for (const Cell& c : curve.cells) {
+      csv.add(curve.sampler).add(c.samples).add(c.sure ? "yes" : "no").add(c.mse).add(c.relmse).add(c.flip);
+      csv.add(c.mean_mse).add(c.device_seconds).add(c.wall_seconds).add(c.point_seconds).end_row();
+    }
+  }
+  return csv;
+}
+
+Csv ratios_csv(const Figures& figures, const std::string& baseline) {
+  Csv csv(
+      "sampler,baseline,samples,mse_ratio,mse_ratio_low,mse_ratio_high,equal_error_samples,equal_error_"
+      "samples_low,"
+      "equal_error_samples_high,out_of_range,equal_error_time_ratio,equal_error_time_ratio_low,"
+      "equal_error_time_ratio_high,equal_time_mse_ratio,equal_time_mse_ratio_low,equal_time_mse_ratio_high");
+  for (const Ratio& r : figures.ratios) {
+    if (r.baseline != baseline) continue;
+    csv.add(r.sampler).add(r.baseline).add(r.samples).add(r.mse).add(r.equal_error);
+    csv.add(r.beyond < 0 ? "fewer" : r.beyond > 0 ? "more" : "no");
+    csv.add(r.equal_error_time).add(r.equal_time).end_row();
+  }
+  return csv;
+}
+
+/// Another measure of the error, cell by cell: nothing is taken off, so that none is unsure.
+std::string measure_table(const StudyResult& result, const Figures& figures, const std::string& caption,
+                          Interval Cell::*measure, bool factor) {
+  HtmlTable table(caption, head(std::string(words_of(result.settings.integral).many), result));
+  for (const std::uint32_t n : result.settings.samples) {
+    double lowest = INFINITY;
+    for (const Curve& curve : figures.curves) {
+      const Cell* c = find_cell(curve, n);
+      if (c && std::isfinite((c->*measure).value)) lowest = std::min(lowest, (c->*measure).value);
+    }
+    std::vector<std::string> row = {count_label(result.settings, n)};
+    for (const Curve& curve : figures.curves) {
+      const Cell* c = find_cell(curve, n);
+      if (!c || !std::isfinite((c->*measure).value)) {
+        row.push_back(kNone);
+        continue;
+      }
+      const Interval& v = c->*measure;
+      const std::string around = factor ? percent_around(v)
+                                 : std::isnan(v.low)
+                                     ? ""
+                                     : fmt::format("±{:.1f} %", 50 * (v.high - v.low) / v.value);
+      row.push_back(cell(factor ? scientific(v.value) : fmt::format("{:.4f}", v.value), around,
+                         v.value == lowest ? "best" : ""));
+    }
+    table.row(row);
+  }
+  table.csv(cells_csv(figures), "figures.csv");
+  return table.str();
+}
+
+/// relMSE and FLIP beside the MSE.
+std::string other_measures(const StudyResult& result, const Figures& figures) {
+  std::string html =
+      "<div class=\"pair\">" +
+      measure_table(result, figures,
+                    "relMSE: mean of (I − R̄)² / (R̄² + 0.01), with 95 % interval; the reference’s "
+                    "own error is in it",
+                    &Cell::relmse, true);
+  const bool measured = std::any_of(figures.curves.begin(), figures.curves.end(), [](const Curve& curve) {
+    return std::any_of(curve.cells.begin(), curve.cells.end(),
+                       [](const Cell& c) { return std::isfinite(c.flip.value); });
+  });
+  if (measured) {
+    html +=
+        measure_table(result, figures,
+                      "FLIP: how different image and reference look at exposure 1, 0 to 1, mean over pixels "
+                      "and seeds with 95 % interval",
+                      &Cell::flip, false);
+  }
+  return html + "</div>";
+}
+
 std::string mse_table(const StudyResult& result, const Figures& figures) {
   HtmlTable table("Mean squared error, with 95 % interval; the lowest of each row underlined",
                   head(std::string(words_of(result.settings.integral).many), result));
@@ -56,6 +141,7 @@ std::string mse_table(const StudyResult& result, const Figures& figures) {
     }
     table.row(row);
   }
+  table.csv(cells_csv(figures), "figures.csv");
   return table.str();
 }
 
@@ -77,6 +163,12 @@ std::string slope_table(const StudyResult& result, const Figures& figures) {
   };
   slope_row(std::string(words_of(result.settings.integral).many), &Curve::slope);
   slope_row("device time", &Curve::time_slope);
+  Csv csv("sampler,over,slope,slope_low,slope_high");
+  for (const Curve& curve : figures.curves) {
+    csv.add(curve.sampler).add(words_of(result.settings.integral).many).add(curve.slope).end_row();
+    csv.add(curve.sampler).add("device time").add(curve.time_slope).end_row();
+  }
+  table.csv(csv, "slopes.csv");
   return table.str();
 }
 
@@ -92,6 +184,7 @@ std::string time_table(const StudyResult& result, const Figures& figures) {
     }
     table.row(row);
   }
+  table.csv(cells_csv(figures), "figures.csv");
   return table.str();
 }
 
@@ -109,6 +202,7 @@ std::string ratio_table(const StudyResult& result, const Figures& figures, const
     }
     table.row(row);
   }
+  table.csv(ratios_csv(figures, baseline), "ratios-" + baseline + ".csv");
   return table.str();
 }
 
@@ -130,6 +224,7 @@ std::string equal_error_table(const StudyResult& result, const Figures& figures,
     }
     table.row(row);
   }
+  table.csv(ratios_csv(figures, baseline), "ratios-" + baseline + ".csv");
   return table.str();
 }
 
@@ -146,6 +241,7 @@ std::string equal_time_table(const StudyResult& result, const Figures& figures, 
     }
     table.row(row);
   }
+  table.csv(ratios_csv(figures, baseline), "ratios-" + baseline + ".csv");
   return table.str();
 }
 
@@ -153,9 +249,9 @@ std::string equal_time_table(const StudyResult& result, const Figures& figures, 
 
 std::string report_tables(const StudyResult& result, const Figures& figures) {
   if (result.settings.integral == Integral::splitting)
-    return mse_table(result, figures) + time_table(result, figures);
+    return mse_table(result, figures) + other_measures(result, figures) + time_table(result, figures);
   std::string html =
-      mse_table(result, figures) + slope_table(result, figures) +
+      mse_table(result, figures) + other_measures(result, figures) + slope_table(result, figures) +
       "<p class=\"small\"><span class=\"better\">▼ better</span> and <span class=\"worse\">▲ worse</span> "
       "than the "
       "baseline mark differences that the interval shows; figures without a mark may be even.</p>";

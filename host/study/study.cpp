@@ -7,6 +7,7 @@
 #include "study/report.h"
 
 namespace capcon {
+namespace fs = std::filesystem;
 
 StudyReport study_report(const StudySettings& settings, const MakeStudyDevice& make_device,
                          const RunnerOptions& options, const std::optional<Explanation>& explanation) {
@@ -30,7 +31,13 @@ StudyReport make_report(StudyResult result, const MakeStudyDevice& make_device, 
   if (explanation) report.json["explanation"] = to_json(*explanation);
   write_file(options.directory / "study.json", report.json.dump(2) + "\n");
   std::optional<CloseUps> close_ups;
-  if (settings.close_ups && make_device) close_ups = make_close_ups(settings, make_device, options);
+  const fs::path folder = options.directory / kCloseUpFolder;
+  if (settings.close_ups && make_device) {
+    close_ups = make_close_ups(settings, make_device, options);
+    write_close_ups(folder, *close_ups, settings_hash(settings, report.result.device));
+  } else if (!make_device) {
+    close_ups = read_close_ups(folder, settings_hash(settings, report.result.device));
+  }
   report.page = options.directory / "report.html";
   write_file(report.page, html_report(report.result, report.figures, close_ups, explanation));
   return report;

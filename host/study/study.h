@@ -21,7 +21,8 @@ struct StudyReport {
 StudyReport study_report(const StudySettings& settings, const MakeStudyDevice& make_device,
                          const RunnerOptions& options, const std::optional<Explanation>& explanation = {});
 
-/// The same from what was measured already. Without a device there are no close-ups.
+/// The same from what was measured already. Without a device close-ups are those that were kept before, if
+/// any.
 StudyReport make_report(StudyResult result, const MakeStudyDevice& make_device, const RunnerOptions& options,
                         const std::optional<Explanation>& explanation = {});
 
