@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
   app.fallthrough(false);
   cli::add_study_verb(app);
   cli::add_merge_verb(app);
+  cli::add_report_verb(app);
   cli::add_integrate_verb(app);
   cli::add_stability_verb(app);
   cli::add_render_verb(app);

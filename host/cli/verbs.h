@@ -19,6 +19,7 @@ void add_bench_verb(CLI::App& app);
 void add_info_verb(CLI::App& app);
 void add_study_verb(CLI::App& app);
 void add_merge_verb(CLI::App& app);
+void add_report_verb(CLI::App& app);
 void add_integrate_verb(CLI::App& app);
 void add_stability_verb(CLI::App& app);
 /// man and completion, made from the tables of all others: to be added last.

@@ -13,12 +13,16 @@ namespace {
 constexpr double kWidth = 560;
 constexpr double kHeight = 420;
 constexpr double kLeft = 64;
-constexpr double kRight = kWidth - 116;  // names stand to the right, with room for the longest
 constexpr double kTop = 14;
 constexpr double kBottom = kHeight - 50;
 constexpr double kNameHeight = 15;
 
 constexpr int kMarkers = 6;
+
+/// Names stand to the right of it.
+double right_of(const Chart& chart) {
+  return kWidth - chart.name_room;
+}
 
 std::string marker(int style, double x, double y, double r, const std::string& attributes) {
   const auto polygon = [&](std::initializer_list<std::pair<double, double>> corners) {
@@ -78,7 +82,7 @@ std::string grid(const Chart& chart, const LogAxis& x, const LogAxis& y) {
   for (const auto& tick : y.ticks()) {
     const double at = y.place(tick.value);
     svg += fmt::format("<line class=\"{}\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>",
-                       tick.label.empty() ? "minor" : "major", kLeft, kRight, at, at);
+                       tick.label.empty() ? "minor" : "major", kLeft, right_of(chart), at, at);
     if (!tick.label.empty()) {
       svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", kLeft - 7, at + 4,
                          tick.label);
@@ -86,10 +90,10 @@ std::string grid(const Chart& chart, const LogAxis& x, const LogAxis& y) {
   }
   if (chart.line_at_one && y.low() < 1 && y.high() > 1) {
     svg += fmt::format("<line class=\"one\" x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>", kLeft,
-                       kRight, y.place(1), y.place(1));
+                       right_of(chart), y.place(1), y.place(1));
   }
   svg += fmt::format("<text class=\"axis\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>",
-                     (kLeft + kRight) / 2, kBottom + 40, escape(chart.x_label));
+                     (kLeft + right_of(chart)) / 2, kBottom + 40, escape(chart.x_label));
   svg += fmt::format(
       "<text class=\"axis\" transform=\"translate(14 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
       (kTop + kBottom) / 2, escape(chart.y_label));
@@ -129,13 +133,13 @@ std::string line_svg(const ChartLine& line, const LogAxis& x, const LogAxis& y) 
 }
 
 /// The names at the right, pushed apart, each tied to its line's last point.
-std::string names(const std::vector<ChartLine>& lines, const LogAxis& x, const LogAxis& y) {
+std::string names(const Chart& chart, const LogAxis& x, const LogAxis& y) {
   struct Name {
     const ChartLine* line;
     double x, y, at;
   };
   std::vector<Name> all;
-  for (const ChartLine& line : lines) {
+  for (const ChartLine& line : chart.lines) {
     if (line.points.empty()) continue;
     const double end = y.place(line.points.back().y.value);
     all.push_back({&line, x.place(line.points.back().x.value), end, end});
@@ -150,8 +154,8 @@ std::string names(const std::vector<ChartLine>& lines, const LogAxis& x, const L
     svg += fmt::format(
         "<g class=\"s{}{}\"><path class=\"tie\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}\"/>"
         "<text class=\"name\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text></g>",
-        name.line->style, name.line->strong ? " strong" : "", name.x + 6, name.y, kRight + 2, name.at,
-        kRight + 8, name.at, kRight + 11, name.at + 4, escape(name.line->name));
+        name.line->style, name.line->strong ? " strong" : "", name.x + 6, name.y, right_of(chart) + 2,
+        name.at, right_of(chart) + 8, name.at, right_of(chart) + 11, name.at + 4, escape(name.line->name));
   }
   return svg;
 }
@@ -170,7 +174,7 @@ std::string svg_chart(const Chart& chart) {
   }
   if (chart.line_at_one) ys.add(1);
   if (xs.high <= 0 || ys.high <= 0) return "<p>There is nothing to draw.</p>";
-  const LogAxis x(xs.low, xs.high, kLeft, kRight, chart.x_style);
+  const LogAxis x(xs.low, xs.high, kLeft, right_of(chart), chart.x_style);
   const LogAxis y(ys.low, ys.high, kBottom, kTop, chart.y_style);
   std::string svg = fmt::format(
       "<svg class=\"chart\" viewBox=\"0 0 {} {}\" role=\"img\" aria-labelledby=\"{}-t {}-d\">"
@@ -183,7 +187,7 @@ std::string svg_chart(const Chart& chart) {
       if (line.strong == strong) svg += line_svg(line, x, y);
     }
   }
-  return svg + names(chart.lines, x, y) + "</svg>";
+  return svg + names(chart, x, y) + "</svg>";
 }
 
 std::string svg_marker(int style) {

@@ -34,6 +34,7 @@ struct Chart {
   LogAxis::Style y_style = LogAxis::Style::decades;
   bool line_at_one = false;  ///< a heavier line at y = 1
   std::vector<ChartLine> lines;
+  double name_room = 116;  ///< for the longest name at the right, of 560 in all
 };
 
 /// A log-log chart as inline SVG: grid with minor ticks, 95 % bars, a marker and colour a line, and the

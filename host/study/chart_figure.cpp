@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -31,8 +32,19 @@ const char* name_of(LogAxis::Style style) {
   return "plain";
 }
 
+/// How a line looks, where several kinds of lines have one colour.
+std::string swatch(const ChartLine& line) {
+  return fmt::format(
+      "<svg class=\"swatch chart s{} d{}\" viewBox=\"0 0 30 14\" aria-hidden=\"true\"><path class=\"line\" "
+      "d=\"M0 7L30 7\"/>"
+      "</svg>",
+      line.style, line.dash);
+}
+
 /// What page/charts.js reads.
 json data_of(const Chart& chart) {
+  const bool kinds =
+      std::any_of(chart.lines.begin(), chart.lines.end(), [](const auto& l) { return l.dash > 0; });
   json lines = json::array();
   for (const ChartLine& line : chart.lines) {
     json points = json::array(), companion = json::array();
@@ -45,7 +57,7 @@ json data_of(const Chart& chart) {
                      {"style", line.style},
                      {"dash", line.dash},
                      {"strong", line.strong},
-                     {"key", svg_marker(line.style)},
+                     {"key", kinds ? swatch(line) : svg_marker(line.style)},
                      {"points", points}});
     if (!companion.empty()) lines.back()["companion"] = companion;
   }

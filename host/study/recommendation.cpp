@@ -106,36 +106,38 @@ std::optional<Recommendation> recommend(const StudySettings& settings, const Col
 
 std::string sentence(const Recommendation& r, const StudySettings& settings, const Figures& figures) {
   const std::string budget = budget_words(r, settings);
-  std::string figure;
+  std::string error, need;
   if (r.sampler != r.baseline) {
-    figure = fmt::format(", {} times that of {}", with_range(r.error), r.baseline);
+    error = fmt::format(", {} times that of {}", with_range(r.error), r.baseline);
     const Ratio* ratio = figures.ratio(r.sampler, r.baseline, r.samples);
     if (ratio && !std::isnan(ratio->equal_error.value)) {
-      figure += fmt::format("; it comes to the error of these {} with {} {}", r.samples,
-                            with_range(ratio->equal_error), words_of(settings.integral).many);
+      need = fmt::format(" It comes to the error of these {} with {} {}", r.samples,
+                         with_range(ratio->equal_error), words_of(settings.integral).many);
       if (r.by_time && !std::isnan(ratio->equal_error_time.value))
-        figure += fmt::format(", in {} of their time", with_range(ratio->equal_error_time));
+        need += fmt::format(", in {} of their time", with_range(ratio->equal_error_time));
+      need += '.';
     }
   }
   if (settings.seeds < 2) {
-    return fmt::format("{} errs least here {}{}; one seed does not say how sure that is.", r.sampler, budget,
-                       figure);
+    return fmt::format("{0} has the lowest error here {1}{2}. One seed does not say how sure that is.{3}",
+                       r.sampler, budget, error, need);
   }
   if (r.undecided.empty()) {
     return fmt::format(
-        "Use {} here: {} its error is the lowest of {} samplers, and each of the others is "
-        "shown to err more{}.",
-        r.sampler, budget, r.compared, figure);
+        "Use {} here: {} it has the lowest error of {} samplers{}; each of the others is shown to err "
+        "more.{}",
+        r.sampler, budget, r.compared, error, need);
   }
   if (r.undecided.size() + 1 == r.compared) {
     return fmt::format(
-        "No sampler is shown to be the best here: {} {} errs least{}, but {} seeds do not show "
-        "that any of the others errs more.",
-        budget, r.sampler, figure, settings.seeds);
+        "No sampler is shown to be the best here: {} {} has the lowest error{}, but {} seeds do not show "
+        "that any "
+        "of the others errs more.{}",
+        budget, r.sampler, error, settings.seeds, need);
   }
-  return fmt::format("{} errs least here {}{}; {} seeds do not show that {} {} more.", r.sampler, budget,
-                     figure, settings.seeds, enumerate(r.undecided),
-                     r.undecided.size() == 1 ? "errs" : "err");
+  return fmt::format("{} has the lowest error here {}{}, but {} seeds do not show that {} {} more.{}",
+                     r.sampler, budget, error, settings.seeds, enumerate(r.undecided),
+                     r.undecided.size() == 1 ? "errs" : "err", need);
 }
 
 nlohmann::json to_json(const Recommendation& r) {

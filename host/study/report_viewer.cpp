@@ -12,11 +12,11 @@ std::string report_viewer(const StudySettings& settings, const CloseUps& c) {
   const std::string subject = study_subject(settings);
   std::vector<const Image*> images = {&c.reference};
   nlohmann::json names = nlohmann::json::array({{{"name", "reference"}}});
-  int left = 0, right = 0;  // today's best known beside what the study is about, at the fewest samples
+  int left = 0, right = 0;  // today's best known beside what the study is about, at the most samples
   for (const CloseUp& view : c.views) {
     const int place = static_cast<int>(images.size());
-    if (view.samples == c.samples.front() && view.sampler == "sobol-owen") left = place;
-    if (view.samples == c.samples.front() && view.sampler == subject) right = place;
+    if (view.samples == c.samples.back() && view.sampler == "sobol-owen") left = place;
+    if (view.samples == c.samples.back() && view.sampler == subject) right = place;
     images.push_back(&view.crop);
     names.push_back({{"name", view.sampler + ", " + count_label(settings, view.samples)}});
   }

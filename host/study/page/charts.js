@@ -102,16 +102,19 @@
     };
     const home = {dateWindow: extent([0, 1, 2], []), valueRange: extent([3, 4, 5], data.one ? [1] : [])};
     const byName = new Map(lines.map((l) => [l.name, l]));
+    // The library's own toDomXCoord() is of even axes.
+    const X = (chart, v) => chart.getArea().x + chart.toPercentXCoord(v) * chart.getArea().w;
+    const Y = (chart, v) => chart.toDomYCoord(v);
 
     function draw(e) {
       const line = byName.get(e.setName), c = e.drawingContext, g = e.dygraph;
-      const X = (v) => g.toDomXCoord(v), Y = (v) => g.toDomYCoord(v);
+      const at = (x, y) => [X(g, x), Y(g, y)];
       c.save();
       c.strokeStyle = c.fillStyle = lineColour(line);
       c.lineJoin = 'round';
       const path = (points, x, y) => {
         c.beginPath();
-        for (const p of points) c.lineTo(X(p[x]), Y(p[y]));
+        for (const p of points) c.lineTo(...at(p[x], p[y]));
         c.stroke();
       };
       if (line.companion) {
@@ -126,10 +129,10 @@
       for (const [x, xl, xh, y, yl, yh, sure] of line.points) {
         c.lineWidth = 1.5;
         c.beginPath();
-        if (yl > 0) c.moveTo(X(x), Y(yl)), c.lineTo(X(x), Y(yh));
-        if (xl > 0) c.moveTo(X(xl), Y(y)), c.lineTo(X(xh), Y(y));
+        if (yl > 0) c.moveTo(...at(x, yl)), c.lineTo(...at(x, yh));
+        if (xl > 0) c.moveTo(...at(xl, y)), c.lineTo(...at(xh, y));
         c.stroke();
-        marker(c, line.style, X(x), Y(y), 3.6);
+        marker(c, line.style, ...at(x, y), 3.6);
         if (!sure) c.fillStyle = colour('--ground');
         c.fill();
         if (!sure) c.stroke();
@@ -145,7 +148,7 @@
       const text = p[7] || `${name}: ${label(p[0], data.x.style)}, ${label(p[3], data.y.style)}`;
       tip.textContent = p[4] > 0 ? `${text}; 95 %: ${p[4].toPrecision(3)} to ${p[5].toPrecision(3)}` : text;
       tip.hidden = false;
-      const x = plot.offsetLeft + g.toDomXCoord(p[0]), y = plot.offsetTop + g.toDomYCoord(p[3]);
+      const x = plot.offsetLeft + X(g, p[0]), y = plot.offsetTop + Y(g, p[3]);
       const left = Math.min(Math.max(0, x - tip.offsetWidth / 2), box.offsetWidth - tip.offsetWidth);
       tip.style.left = left + 'px';
       tip.style.top = (y - tip.offsetHeight - 14 < 0 ? y + 16 : y - tip.offsetHeight - 14) + 'px';
