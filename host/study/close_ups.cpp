@@ -29,6 +29,13 @@ std::vector<std::uint32_t> close_up_counts(const StudySettings& settings) {
   return {settings.samples[settings.samples.size() / 2]};
 }
 
+/// Smaller where there are so many views that a page with all of them would be large.
+int region_width_of(const Extent& extent, int width, std::size_t planes) {
+  constexpr double kMostValues = 4e5;  // of all views: 1.7 MB of a page
+  const double wanted = std::round(width * extent.region_part);
+  return static_cast<int>(std::min(wanted, std::sqrt(kMostValues / (0.75 * static_cast<double>(planes)))));
+}
+
 float common_exposure(const std::vector<CloseUp>& views) {
   std::vector<float> all;
   for (const CloseUp& view : views)
@@ -115,7 +122,7 @@ CloseUps make_close_ups(const StudySettings& settings, const MakeStudyDevice& ma
       }
     }
   }
-  const int region_width = static_cast<int>(std::lround(width * extent.region_part));
+  const int region_width = region_width_of(extent, width, result.views.size() * result.picture.channels);
   result.region = worst_region(errors, region_width, region_width * 3 / 4);
   result.reference = crop(result.picture, result.region);
   for (std::size_t i = 0; i < images.size(); ++i) {

@@ -113,8 +113,9 @@ Figures make_figures(const StudyResult& result) {
       ratio.equal_time = ratio.equal_error_time = {kUnknown, kUnknown, kUnknown};
     for (Curve& curve : figures.curves) curve.time_slope = {kUnknown, kUnknown, kUnknown};
   }
-  if (result.settings.integral != Integral::splitting)  // which compares splits, not samplers
-    figures.recommendation = recommend(result.settings, columns, clocks.comparable());
+  // All splits take about the same time.
+  const bool by_time = clocks.comparable() && result.settings.integral != Integral::splitting;
+  figures.recommendation = recommend(result.settings, columns, by_time);
   return figures;
 }
 

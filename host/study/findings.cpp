@@ -177,12 +177,16 @@ std::string study_subject(const StudySettings& settings) {
 }
 
 std::vector<std::string> make_findings(const StudySettings& settings, const Figures& figures) {
-  if (settings.integral == Integral::splitting) return make_split_findings(settings, figures);
   const std::string subject = study_subject(settings);
   std::vector<std::string> findings;
   const auto add = [&](std::string sentence) {
     if (!sentence.empty()) findings.push_back(std::move(sentence));
   };
+  if (settings.integral == Integral::splitting) {
+    if (figures.recommendation) add(sentence(*figures.recommendation, settings, figures));
+    for (std::string& finding : make_split_findings(settings, figures)) add(std::move(finding));
+    return findings;
+  }
   const auto add_doubts = [&] {
     add(unsure(settings, figures));
     if (settings.seeds < 2) add("There was one seed only: nothing here says how sure the figures are.");

@@ -27,7 +27,19 @@ class Budget {
  public:
   Budget(const Column& base, bool by_time) : base_(base), by_time_(by_time) {}
 
-  double mse(const std::vector<Column>& all, Kept kept, bool extrapolate = false) const {
+  double mse(const std::vector<Column>& all) const {
+    std::vector<std::size_t> seeds(base_.mse.size());
+    for (std::size_t i = 0; i < seeds.size(); ++i) seeds[i] = i;
+    return mse(all, seeds, false);
+  }
+
+  Interval ratio(const std::vector<Column>& a, const std::vector<Column>& b) const {
+    return exp(jackknife(base_.mse.size(),
+                         [&](Kept kept) { return std::log(mse(a, kept, true) / mse(b, kept, true)); }));
+  }
+
+ private:
+  double mse(const std::vector<Column>& all, Kept kept, bool extrapolate) const {
     if (!by_time_) {
       const Column* same = column_at(all, base_.samples);
       return same ? columns::geometric_mean_of(same->mse, kept) : NAN;
@@ -38,15 +50,24 @@ class Budget {
                                extrapolate);
   }
 
-  Interval ratio(const std::vector<Column>& a, const std::vector<Column>& b) const {
-    return exp(jackknife(base_.mse.size(),
-                         [&](Kept kept) { return std::log(mse(a, kept, true) / mse(b, kept, true)); }));
-  }
-
- private:
   const Column& base_;
   bool by_time_;
 };
+
+/// The sampler that errs least in the budget of `base`, and of how many.
+Recommendation lowest_at(const Column& base, bool by_time, const StudySettings& settings,
+                         const Columns& columns) {
+  const Budget budget(base, by_time);
+  Recommendation r;
+  double lowest = INFINITY;
+  for (const std::string& name : settings.samplers) {
+    const double mse = budget.mse(columns.at(name));
+    if (std::isnan(mse)) continue;
+    ++r.compared;
+    if (mse < lowest) lowest = mse, r.sampler = name;
+  }
+  return r;
+}
 
 std::string baseline_of(const Columns& columns, const StudySettings& settings) {
   for (const char* name : {"sobol-owen", "sobol-xor"}) {
@@ -56,6 +77,8 @@ std::string baseline_of(const Columns& columns, const StudySettings& settings) {
 }
 
 std::string budget_words(const Recommendation& r, const StudySettings& settings) {
+  if (settings.integral == Integral::splitting)
+    return fmt::format("at {} (image samples x points)", count_label(settings, r.samples));
   const IntegralWords& words = words_of(settings.integral);
   const std::string count = fmt::format("{} {}", r.samples, r.samples == 1 ? words.one : words.many);
   return r.by_time ? fmt::format("in the device time of {} of {}", count, r.baseline)
@@ -67,7 +90,8 @@ std::string budget_words(const Recommendation& r, const StudySettings& settings)
 std::uint32_t spoken_count(const StudySettings& settings) {
   constexpr std::uint32_t kPreferred = 64;
   const auto& n = settings.samples;
-  if (settings.integral == Integral::global_illumination) return n[n.size() / 2];
+  if (settings.integral == Integral::global_illumination || settings.integral == Integral::splitting)
+    return n[n.size() / 2];
   return std::find(n.begin(), n.end(), kPreferred) != n.end() ? kPreferred : n.back();
 }
 
@@ -78,28 +102,23 @@ std::optional<Recommendation> recommend(const StudySettings& settings, const Col
   r.baseline = baseline_of(columns, settings);
   r.by_time = times_comparable;
   const std::vector<Column>& baseline = columns.at(r.baseline);
-  // Where the reference cannot tell that far, the most samples of which it can.
-  const Column* base = column_at(baseline, spoken_count(settings));
-  for (auto c = baseline.rbegin(); !base && c != baseline.rend(); ++c) base = c->sure ? &*c : nullptr;
-  if (!base) return std::nullopt;
-  r.samples = base->samples;
-  std::vector<std::size_t> all(base->mse.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-  const Budget budget(*base, r.by_time);
-  double lowest = INFINITY;
-  std::vector<std::string> names;
-  for (const std::string& name : settings.samplers) {
-    const double mse = budget.mse(columns.at(name), all);
-    if (std::isnan(mse)) continue;
-    names.push_back(name);
-    if (mse < lowest) lowest = mse, r.sampler = name;
+  // As far as most samplers have a figure: what takes long may take longer than any render of the others.
+  const std::uint32_t most = spoken_count(settings);
+  for (auto c = baseline.rbegin(); c != baseline.rend(); ++c) {
+    if (!c->sure || c->samples > most) continue;
+    const Recommendation at = lowest_at(*c, r.by_time, settings, columns);
+    if (at.compared <= r.compared) continue;
+    r.samples = c->samples;
+    r.sampler = at.sampler;
+    r.compared = at.compared;
   }
-  r.compared = names.size();
   if (r.compared < 2) return std::nullopt;
+  const Budget budget(*column_at(baseline, r.samples), r.by_time);
   const std::vector<Column>& best = columns.at(r.sampler);
   r.error = budget.ratio(best, baseline);
-  for (const std::string& name : names) {
-    if (name != r.sampler && !budget.ratio(columns.at(name), best).above(1)) r.undecided.push_back(name);
+  for (const std::string& name : settings.samplers) {
+    if (name == r.sampler || std::isnan(budget.mse(columns.at(name)))) continue;
+    if (!budget.ratio(columns.at(name), best).above(1)) r.undecided.push_back(name);
   }
   return r;
 }
@@ -110,7 +129,7 @@ std::string sentence(const Recommendation& r, const StudySettings& settings, con
   if (r.sampler != r.baseline) {
     error = fmt::format(", {} times that of {}", with_range(r.error), r.baseline);
     const Ratio* ratio = figures.ratio(r.sampler, r.baseline, r.samples);
-    if (ratio && !std::isnan(ratio->equal_error.value)) {
+    if (ratio && !std::isnan(ratio->equal_error.value) && settings.integral != Integral::splitting) {
       need = fmt::format(" It comes to the error of these {} with {} {}", r.samples,
                          with_range(ratio->equal_error), words_of(settings.integral).many);
       if (r.by_time && !std::isnan(ratio->equal_error_time.value))

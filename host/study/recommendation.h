@@ -27,7 +27,8 @@ struct Recommendation {
 };
 
 /// None where nothing sure was measured at the budget, or there is one sampler alone. The budget is 64
-/// samples where they were measured, else the most; of light paths the middle count.
+/// samples where they were measured, else the most, or fewer where more samplers have a figure then; of light
+/// paths and splits the middle count.
 std::optional<Recommendation> recommend(const StudySettings& settings,
                                         const std::map<std::string, std::vector<Column>>& columns,
                                         bool times_comparable);
@@ -35,7 +36,7 @@ std::optional<Recommendation> recommend(const StudySettings& settings,
 /// The first sentence of a report.
 std::string sentence(const Recommendation& r, const StudySettings& settings, const Figures& figures);
 
-/// 64 samples where they were measured, else the most; of light paths the middle count.
+/// 64 samples where they were measured, else the most; of light paths and splits the middle count.
 std::uint32_t spoken_count(const StudySettings& settings);
 
 nlohmann::json to_json(const Recommendation& r);

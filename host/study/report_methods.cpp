@@ -107,12 +107,17 @@ std::string raw_data(const StudyResult& result) {
         .add(r.device_seconds);
     csv.add(r.wall_seconds).add(r.point_generation_seconds).add(r.device).add(r.process).end_row();
   }
+  constexpr std::size_t kMost = 500'000;  // bytes: pages stay small, and the file lies beside them
+  const std::string runs =
+      csv.text().size() > kMost
+          ? fmt::format("the {} runs are in runs.jsonl beside it", grouped(result.records.size()))
+          : fmt::format("every run as {}, errors as measured (the reference’s own, {}, not taken off)",
+                        csv.link("runs.csv", "every run"), scientific(result.reference.error));
   return fmt::format(
-      "<p class=\"data\">This page holds its data: every run as {}, errors as measured (the reference’s own, "
-      "{}, not "
-      "taken off)<button type=\"button\" hidden data-download=\"study-json\" data-type=\"application/json\" "
-      "data-name=\"study.json\">every figure as JSON</button></p>",
-      csv.link("runs.csv", "every run"), scientific(result.reference.error));
+      "<p class=\"data\">This page holds its data: {}<button type=\"button\" hidden "
+      "data-download=\"study-json\" "
+      "data-type=\"application/json\" data-name=\"study.json\">every figure as JSON</button></p>",
+      runs);
 }
 
 std::string noise_formulas(double coarse_error) {

@@ -135,7 +135,9 @@ TEST(Runner, EveryPointOfInterruptionGivesTheSameResult) {
     EXPECT_THROW(run_until(k, s, name), Ended);
     // Ended again, before anything and right after one more render, then to the end.
     EXPECT_THROW(run_until(0, s, name), Ended);
-    if (k + 6 < renders) { EXPECT_THROW(run_until(1, s, name), Ended); }
+    if (k + 6 < renders) {
+      EXPECT_THROW(run_until(1, s, name), Ended);
+    }
     const StudyResult resumed = run(s, into(name));
     EXPECT_EQ(figures_of(resumed), figures_of(straight)) << k;
     EXPECT_EQ(resumed.reference.image.pixels, straight.reference.image.pixels) << k;
