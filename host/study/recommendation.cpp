@@ -54,6 +54,11 @@ class Budget {
   bool by_time_;
 };
 
+/// A variant with more points than others at its count.
+bool unfair(const std::string& name, bool by_time, const StudySettings& settings) {
+  return !by_time && has_variants(settings.integral) && parse_variant(name).factor > 1;
+}
+
 /// The sampler that errs least in the budget of `base`, and of how many.
 Recommendation lowest_at(const Column& base, bool by_time, const StudySettings& settings,
                          const Columns& columns) {
@@ -62,7 +67,7 @@ Recommendation lowest_at(const Column& base, bool by_time, const StudySettings& 
   double lowest = INFINITY;
   for (const std::string& name : settings.samplers) {
     const double mse = budget.mse(columns.at(name));
-    if (std::isnan(mse)) continue;
+    if (std::isnan(mse) || unfair(name, by_time, settings)) continue;
     ++r.compared;
     if (mse < lowest) lowest = mse, r.sampler = name;
   }
@@ -117,7 +122,8 @@ std::optional<Recommendation> recommend(const StudySettings& settings, const Col
   const std::vector<Column>& best = columns.at(r.sampler);
   r.error = budget.ratio(best, baseline);
   for (const std::string& name : settings.samplers) {
-    if (name == r.sampler || std::isnan(budget.mse(columns.at(name)))) continue;
+    if (name == r.sampler || unfair(name, r.by_time, settings) || std::isnan(budget.mse(columns.at(name))))
+      continue;
     if (!budget.ratio(columns.at(name), best).above(1)) r.undecided.push_back(name);
   }
   return r;
