@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -19,8 +20,11 @@ struct Options {
   std::string reference;
   std::string output;
   double tolerance = Comparison{}.tolerance;
+  bool flip = false;
   bool json = false;
 };
+
+constexpr std::size_t kFlipPixels = 1u << 20;  // more take longer than all else together
 
 Image absolute_difference(const Image& a, const Image& b) {
   Image result(a.width, a.height, std::max(a.channels, b.channels));
@@ -41,7 +45,7 @@ struct Looks {
   HdrFlip hdr;
 };
 
-void print_table(const Comparison& c, const Looks& looks) {
+void print_table(const Comparison& c, const std::optional<Looks>& looks) {
   const auto line = [](const std::string& name, const std::string& value, const char* meaning) {
     fmt::print("{:<16} {:>12}  {}\n", name, value, meaning);
   };
@@ -50,11 +54,15 @@ void print_table(const Comparison& c, const Looks& looks) {
   line("mse clamped", number(c.mse_clamped), "both clamped to [0, 1]");
   line("mse trimmed", number(c.mse_trimmed), "without the worst 1 % of pixels");
   line("relmse", number(c.relmse), "mean of (a - b)^2 / (b^2 + 0.01), b the reference");
-  line("flip", number(looks.flip), "how different they look at exposure 1: mean of LDR-FLIP, 0 to 1");
-  line("flip hdr", number(looks.hdr.value),
-       fmt::format("the same, the worst of {} exposures from 2^{:.1f} to 2^{:.1f}", looks.hdr.exposures,
-                   looks.hdr.start, looks.hdr.stop)
-           .c_str());
+  if (looks) {
+    line("flip", number(looks->flip), "how different they look at exposure 1: mean of LDR-FLIP, 0 to 1");
+    line("flip hdr", number(looks->hdr.value),
+         fmt::format("the same, the worst of {} exposures from 2^{:.1f} to 2^{:.1f}", looks->hdr.exposures,
+                     looks->hdr.start, looks->hdr.stop)
+             .c_str());
+  } else {
+    line("flip", "–", "left out of images as large as these; --flip measures it");
+  }
   line("max difference", number(c.max_difference), "largest |a - b|");
   line("mean difference", number(c.mean_difference), "mean of a - b");
   line("beyond", number(c.beyond),
@@ -80,15 +88,19 @@ void run(const Options& options) {
   const Comparison comparison = compare(image, reference, options.tolerance);
   if (output.extension() == ".exr") write_exr(output, absolute_difference(image, reference));
   if (output.extension() == ".png") write_png(output, absolute_difference(image, reference));
-  const Looks looks{flip(image, reference), hdr_flip(image, reference)};
+  std::optional<Looks> looks;
+  if (options.flip || std::size_t(image.width) * image.height <= kFlipPixels)
+    looks = Looks{flip(image, reference), hdr_flip(image, reference)};
   if (options.json) {
     nlohmann::json json = to_json(comparison);
-    json["flip"] = looks.flip;
-    json["flip_pixels_per_degree"] = kFlipPixelsPerDegree;
-    json["hdr_flip"] = {{"value", looks.hdr.value},
-                        {"exposures", looks.hdr.exposures},
-                        {"start", looks.hdr.start},
-                        {"stop", looks.hdr.stop}};
+    if (looks) {
+      json["flip"] = looks->flip;
+      json["flip_pixels_per_degree"] = kFlipPixelsPerDegree;
+      json["hdr_flip"] = {{"value", looks->hdr.value},
+                          {"exposures", looks->hdr.exposures},
+                          {"start", looks->hdr.start},
+                          {"stop", looks->hdr.stop}};
+    }
     fmt::print("{}\n", json.dump(2));
   } else {
     print_table(comparison, looks);
@@ -109,6 +121,7 @@ void add_compare_verb(CLI::App& app) {
   verb->add_option("--tolerance", options->tolerance, "a difference that counts as none")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  verb->add_flag("--flip", options->flip, "measure FLIP of images above a million pixels too");
   verb->add_flag("--json", options->json, "print one JSON object");
   verb->callback([options] { run(*options); });
 }

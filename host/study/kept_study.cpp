@@ -41,19 +41,36 @@ Explanation explanation_from(const json& e) {
   return result;
 }
 
+/// What the page takes for granted.
+void check(const StudyResult& result) {
+  const StudySettings& s = result.settings;
+  for (const std::uint32_t n : s.samples) {
+    if (n == 0 || (s.integral == Integral::splitting && (s.combined < n || s.combined % n != 0)))
+      throw std::out_of_range("samples");
+  }
+  if (!result.device.is_object() || (result.device.contains("name") && !result.device["name"].is_string()))
+    throw std::out_of_range("device");
+  if (!(result.reference.error >= 0)) throw std::out_of_range("error");
+}
+
 /// The runs of the study, in its plan's order, of all that were ever measured in the folder.
 std::vector<RunRecord> records_of(const StudySettings& settings, const RunFile& runs,
                                   const fs::path& folder) {
   std::map<std::tuple<std::string, std::uint32_t, std::uint32_t>, const RunRecord*> found;
   for (const RunRecord& r : runs.records) found[{r.run.sampler, r.run.samples, r.run.seed}] = &r;
   std::vector<RunRecord> records;
-  std::size_t missing = 0;
-  for (const PlannedRun& run : plan_runs(settings)) {
-    const auto it = found.find({run.sampler, run.samples, run.seed});
-    if (it == found.end()) {
-      ++missing;
-    } else {
-      records.push_back(*it->second);
+  // Counted before it is written out: a broken file may plan more than there is room for.
+  const std::uint64_t planned =
+      std::uint64_t(settings.samplers.size()) * settings.samples.size() * settings.seeds;
+  std::uint64_t missing = planned > found.size() ? planned - found.size() : 0;
+  if (missing == 0) {
+    for (const PlannedRun& run : plan_runs(settings)) {
+      const auto it = found.find({run.sampler, run.samples, run.seed});
+      if (it == found.end()) {
+        ++missing;
+      } else {
+        records.push_back(*it->second);
+      }
     }
   }
   if (missing > 0) {
@@ -82,11 +99,11 @@ KeptStudy read_kept_study(const fs::path& folder) {
     const json study = parse_study_json(text);
     result.settings = settings_from_json(study.at("settings"));
     result.device = study.at("device");
-    if (!result.device.is_object()) throw std::out_of_range("device");
     result.started = study.at("started").get<std::string>();
     result.version = study.at("version").get<std::string>();
     result.reference.error = study.at("reference").at("error").get<double>();
     result.reference.coarse_error = study.at("reference").value("coarse_error", 0.0);
+    check(result);
     if (study.contains("explanation")) kept.explanation = explanation_from(study.at("explanation"));
   } catch (const std::exception&) {
     throw InputError(SourcePlace{file.string(), 0, 0},

@@ -119,12 +119,16 @@ std::optional<Recommendation> recommend(const StudySettings& settings, const Col
   }
   if (r.compared < 2) return std::nullopt;
   const Budget budget(*column_at(baseline, r.samples), r.by_time);
+  const Budget samples(*column_at(baseline, r.samples), false);
   const std::vector<Column>& best = columns.at(r.sampler);
   r.error = budget.ratio(best, baseline);
   for (const std::string& name : settings.samplers) {
     if (name == r.sampler || unfair(name, r.by_time, settings) || std::isnan(budget.mse(columns.at(name))))
       continue;
-    if (!budget.ratio(columns.at(name), best).above(1)) r.undecided.push_back(name);
+    if (budget.ratio(columns.at(name), best).above(1)) continue;
+    r.undecided.push_back(name);
+    const Interval by_samples = samples.ratio(columns.at(name), best);
+    if (!by_samples.above(1)) r.undecided_by_samples.push_back(name);
   }
   return r;
 }
@@ -153,6 +157,10 @@ std::string sentence(const Recommendation& r, const StudySettings& settings, con
         "more.{}",
         r.sampler, budget, r.compared, error, need);
   }
+  if (r.by_time && r.undecided_by_samples.empty())
+    need = fmt::format(" With as many {} each of the others is shown to err more.",
+                       words_of(settings.integral).many) +
+           need;
   if (r.undecided.size() + 1 == r.compared) {
     return fmt::format(
         "No sampler is shown to be the best here: {} {} has the lowest error{}, but {} seeds do not show "
@@ -174,7 +182,8 @@ nlohmann::json to_json(const Recommendation& r) {
           {"mse_ratio",
            {{"value", number(r.error.value)}, {"low", number(r.error.low)}, {"high", number(r.error.high)}}},
           {"compared", r.compared},
-          {"undecided", r.undecided}};
+          {"undecided", r.undecided},
+          {"undecided_with_as_many_samples", r.undecided_by_samples}};
 }
 
 }  // namespace capcon

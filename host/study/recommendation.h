@@ -24,6 +24,8 @@ struct Recommendation {
   Interval error;             ///< MSE of `sampler` / that of `baseline`, within the budget
   std::size_t compared = 0;   ///< samplers that have a figure within the budget
   std::vector<std::string> undecided;  ///< the others of them that are not shown (95 %) to err more
+  /// Those of them that are not with as many samples either: errors alone are surer than errors in a time.
+  std::vector<std::string> undecided_by_samples;
 };
 
 /// None where nothing sure was measured at the budget, or there is one sampler alone. The budget is 64

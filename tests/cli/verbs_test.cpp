@@ -17,7 +17,7 @@ std::string small_scene(const Folder& folder) {
 }
 
 TEST(Verbs, EveryHelpHasExamplesOrOptions) {
-  for (const char* verb : {"", "render", "points", "measure", "tiles", "tiles make", "tiles verify", "tiles show", "tiles sheet", "tiles parts", "partition", "ensembles", "ensembles make", "ensembles show", "compare", "info",
+  for (const char* verb : {"", "render", "points", "measure", "tiles", "tiles make", "tiles verify", "tiles show", "tiles sheet", "tiles parts", "partition", "ensembles", "ensembles make", "ensembles show", "compare", "report", "info",
                            "study", "study ambient-occlusion", "study direct", "study splitting", "stability"}) {
     const Outcome help = run(std::string(verb) + " --help");
     EXPECT_EQ(help.exit_code, 0) << verb;

@@ -55,6 +55,22 @@ TEST(Recommendation, SaysWhatSeedsDoNotDecide) {
       << make_findings(result.settings, figures)[0];
 }
 
+TEST(Recommendation, TellsErrorsFromTimes) {
+  // The clock of sobol-xor is wild, its error is not.
+  StudyResult result = result_of(8, {});
+  for (RunRecord& r : result.records) {
+    if (r.run.sampler == "sobol-xor") r.device_seconds *= std::pow(8, r.run.seed % 2 ? 1 : -1);
+  }
+  const Figures figures = make_figures(result);
+  ASSERT_TRUE(figures.recommendation.has_value());
+  EXPECT_EQ(figures.recommendation->undecided, (std::vector<std::string>{"sobol-xor"}));
+  EXPECT_TRUE(figures.recommendation->undecided_by_samples.empty());
+  EXPECT_NE(make_findings(result.settings, figures)[0].find(
+                "With as many samples each of the others is shown to err more."),
+            std::string::npos)
+      << make_findings(result.settings, figures)[0];
+}
+
 TEST(Recommendation, OfOneSeedIsNotSure) {
   const StudyResult result = result_of(1, {});
   const Figures figures = make_figures(result);

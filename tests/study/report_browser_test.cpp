@@ -231,18 +231,25 @@ TEST_F(ReportInABrowser, IsWholeWithoutScripts) {
 
 // Not a test of anything: with CAPCON_PICTURES=DIR the README's picture, of the main job's report, is written
 // there.
-TEST(ReportPicture, IsTakenForTheReadme) {
+TEST(ReportPictures, AreTakenForTheReadme) {
   const char* to = std::getenv("CAPCON_PICTURES");
-  if (!to) GTEST_SKIP() << "set CAPCON_PICTURES=DIR to take the picture of the README (two minutes)";
+  if (!to) GTEST_SKIP() << "set CAPCON_PICTURES=DIR to take the README's pictures (two minutes)";
   if (!has_chromium()) GTEST_SKIP() << "chromium is not installed";
   const std::filesystem::path folder = std::filesystem::absolute(to);
   std::filesystem::create_directories(folder);
   const std::string command = fmt::format("'{}' study ambient-occlusion -o '{}' >/dev/null", CAPCON_PROGRAM,
                                           (folder / "study").string());
   ASSERT_EQ(std::system(command.c_str()), 0);
-  chromium(folder, folder / "study/report.html",
-           fmt::format("--window-size=1240,2240 --screenshot='{}'", (folder / "report.png").string()));
-  EXPECT_GT(std::filesystem::file_size(folder / "report.png"), 100'000u);
+  const auto take = [&](const std::string& page, const std::string& size, const std::string& name) {
+    chromium(folder, folder / page,
+             fmt::format("--window-size={} --screenshot='{}'", size, (folder / name).string()));
+    EXPECT_GT(std::filesystem::file_size(folder / name), 50'000u);
+  };
+  take("study/report.html", "1240,1720", "report.png");
+  std::string html = read_file(folder / "study/report.html");
+  html.insert(html.find("</head>"), "<style>header,section:not(#close-ups){display:none}</style>");
+  write_file(folder / "images.html", html);
+  take("images.html", "1240,1330", "report-images.png");
 }
 
 }  // namespace

@@ -177,6 +177,22 @@ TEST(Report, IsMadeAgainFromWhatWasKept) {
   const std::string without = html_report(kept, make_figures(kept));
   EXPECT_EQ(without.find("id=\"close-ups\""), std::string::npos);
   EXPECT_NE(without.find("left out: nothing read"), std::string::npos);
+  // What others have written is checked.
+  const auto study = nlohmann::json::parse(read_file(folder / "study.json"));
+  for (const auto& [place, value] : {std::pair<const char*, nlohmann::json>{"/settings/seeds", 4294967295u},
+                                     {"/settings/samples", {0, 4}},
+                                     {"/settings/samplers", {"halton"}},
+                                     {"/settings/width", -1},
+                                     {"/device/name", 7},
+                                     {"/device", "gpu"},
+                                     {"/reference/error", "none"},
+                                     {"/version", nullptr}}) {
+    nlohmann::json broken = study;
+    broken[nlohmann::json::json_pointer(place)] = value;
+    write_file(folder / "study.json", broken.dump());
+    EXPECT_THROW(read_kept_study(folder), InputError) << place;
+  }
+  write_file(folder / "study.json", study.dump());
   std::filesystem::remove(folder / "runs.jsonl");
   EXPECT_THROW(read_kept_study(folder), InputError);
   write_file(folder / "study.json", "{}");
