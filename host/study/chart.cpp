@@ -66,6 +66,14 @@ struct Extent {
     low = std::min(low, v);
     high = std::max(high, v);
   }
+  /// The ends of intervals, which may be so far apart (two seeds) that nothing else could be told apart
+  /// beside them: they widen what is drawn by a factor of four at most, and are cut off there.
+  void add_ends(const Extent& ends) {
+    constexpr double kMost = 4;
+    const double least = low / kMost, most = high * kMost;
+    add(std::max(ends.low, least));
+    add(std::min(ends.high, most));
+  }
 };
 
 std::string grid(const Chart& chart, const LogAxis& x, const LogAxis& y) {
@@ -109,6 +117,11 @@ std::string path(const std::vector<ChartPoint>& points, const LogAxis& x, const 
   return data.empty() ? "" : fmt::format("<path d=\"{}\" {}/>", data, attributes);
 }
 
+/// Where an end of an interval lies, cut off where the axis ends.
+double inside(const LogAxis& axis, double v) {
+  return axis.place(std::clamp(v, axis.low(), axis.high()));
+}
+
 std::string line_svg(const ChartLine& line, const LogAxis& x, const LogAxis& y) {
   std::string svg =
       fmt::format("<g class=\"s{} d{}{}\">", line.style, line.dash, line.strong ? " strong" : "");
@@ -118,11 +131,11 @@ std::string line_svg(const ChartLine& line, const LogAxis& x, const LogAxis& y) 
     const double at_x = x.place(p.x.value);
     if (std::isfinite(p.y.low) && p.y.low > 0) {
       svg += fmt::format("<line class=\"bar\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\"/>",
-                         at_x, y.place(p.y.low), y.place(p.y.high));
+                         at_x, inside(y, p.y.low), inside(y, p.y.high));
     }
     if (std::isfinite(p.x.low) && p.x.low > 0) {
       svg += fmt::format("<line class=\"bar\" x1=\"{1:.1f}\" x2=\"{2:.1f}\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/>",
-                         y.place(p.y.value), x.place(p.x.low), x.place(p.x.high));
+                         y.place(p.y.value), inside(x, p.x.low), inside(x, p.x.high));
     }
     svg += fmt::format(
         "<g>{}<title>{}</title></g>",
@@ -163,16 +176,20 @@ std::string names(const Chart& chart, const LogAxis& x, const LogAxis& y) {
 }  // namespace
 
 std::string svg_chart(const Chart& chart) {
-  Extent xs, ys;
+  Extent xs, ys, x_ends, y_ends;
   for (const ChartLine& line : chart.lines) {
     for (const auto* points : {&line.points, &line.companion}) {
       for (const ChartPoint& p : *points) {
-        for (const double v : {p.x.value, p.x.low, p.x.high}) xs.add(v);
-        for (const double v : {p.y.value, p.y.low, p.y.high}) ys.add(v);
+        xs.add(p.x.value);
+        ys.add(p.y.value);
+        for (const double v : {p.x.low, p.x.high}) x_ends.add(v);
+        for (const double v : {p.y.low, p.y.high}) y_ends.add(v);
       }
     }
   }
   if (chart.line_at_one) ys.add(1);
+  if (x_ends.high > 0) xs.add_ends(x_ends);
+  if (y_ends.high > 0) ys.add_ends(y_ends);
   if (xs.high <= 0 || ys.high <= 0) return "<p>There is nothing to draw.</p>";
   const LogAxis x(xs.low, xs.high, kLeft, right_of(chart), chart.x_style);
   const LogAxis y(ys.low, ys.high, kBottom, kTop, chart.y_style);

@@ -245,7 +245,7 @@ TEST(ReportPictures, AreTakenForTheReadme) {
              fmt::format("--window-size={} --screenshot='{}'", size, (folder / name).string()));
     EXPECT_GT(std::filesystem::file_size(folder / name), 50'000u);
   };
-  take("study/report.html", "1240,1720", "report.png");
+  take("study/report.html", "1240,1500", "report.png");
   std::string html = read_file(folder / "study/report.html");
   html.insert(html.find("</head>"), "<style>header,section:not(#close-ups){display:none}</style>");
   write_file(folder / "images.html", html);

@@ -266,6 +266,28 @@ TEST(Chart, NamesStandApartAndInside) {
   EXPECT_GE(places.front(), 0);
 }
 
+TEST(Chart, WideIntervalsDoNotFlattenIt) {
+  Chart chart{"c", "t", "d", "x", "y", LogAxis::Style::counts, LogAxis::Style::decades, false, {}};
+  chart.lines.push_back(
+      {"a",
+       0,
+       false,
+       {{{1, NAN, NAN}, {1, 1e-6, 1e6}, true, ""}, {{2, NAN, NAN}, {0.1, 0.09, 0.11}, true, ""}},
+       {}});
+  const std::string svg = svg_chart(chart);
+  const std::regex bar("class=\"bar\" x1=\"[0-9.]+\" x2=\"[0-9.]+\" y1=\"([0-9.]+)\" y2=\"([0-9.]+)\"");
+  std::smatch first;
+  ASSERT_TRUE(std::regex_search(svg, first, bar));
+  EXPECT_NEAR(std::stod(first[1]), 370, 0.1);  // from the bottom of the chart
+  EXPECT_NEAR(std::stod(first[2]), 14, 0.1);   // to its top
+  const std::regex mark("<circle cx=\"[0-9.]+\" cy=\"([0-9.]+)\"");
+  std::vector<double> places;
+  for (std::sregex_iterator i(svg.begin(), svg.end(), mark), end; i != end; ++i)
+    places.push_back(std::stod((*i)[1]));
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_GT(places[1] - places[0], 100);  // a decade of values is well seen
+}
+
 TEST(Html, CsvQuotesWhatMustBe) {
   Csv csv("a,b,c");
   csv.add("x,\"y\"").add(0.1).add(NAN).end_row();

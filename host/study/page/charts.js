@@ -91,16 +91,19 @@
     // All x in one column, as the library wants it; lines have gaps where others have a point.
     const xs = [...new Set(lines.flatMap((l) => l.points.map((p) => p[0])))].sort((a, b) => a - b);
     const rows = xs.map((x) => [x, ...lines.map((l) => (l.points.find((p) => p[0] === x) || [])[3] ?? null)]);
-    const extent = (columns, more) => {
-      const all = [...more];
-      for (const l of lines) {
-        for (const p of l.points) for (const c of columns) if (p[c] > 0) all.push(p[c]);
-        for (const p of l.companion || []) all.push(p[columns[0] === 0 ? 0 : 1]);
-      }
-      const low = Math.min(...all), high = Math.max(...all), margin = Math.max(1.04, (high / low) ** 0.04);
+    // The ends of intervals widen it by a factor of four at most, as in the drawing.
+    const extent = (column, more) => {
+      const points = lines.flatMap((l) => l.points);
+      const values = [...points.map((p) => p[column]), ...lines.flatMap((l) => (l.companion || []).map((p) => p[column ? 1 : 0])),
+                      ...more].filter((v) => v > 0);
+      const ends = points.flatMap((p) => [p[column + 1], p[column + 2]]).filter((v) => v > 0);
+      const least = Math.min(...values), most = Math.max(...values);
+      const low = Math.min(least, ends.length ? Math.max(least / 4, Math.min(...ends)) : least);
+      const high = Math.max(most, ends.length ? Math.min(most * 4, Math.max(...ends)) : most);
+      const margin = Math.max(1.04, (high / low) ** 0.04);
       return [low / margin, high * margin];
     };
-    const home = {dateWindow: extent([0, 1, 2], []), valueRange: extent([3, 4, 5], data.one ? [1] : [])};
+    const home = {dateWindow: extent(0, []), valueRange: extent(3, data.one ? [1] : [])};
     const byName = new Map(lines.map((l) => [l.name, l]));
     // The library's own toDomXCoord() is of even axes.
     const X = (chart, v) => chart.getArea().x + chart.toPercentXCoord(v) * chart.getArea().w;
@@ -169,7 +172,7 @@
         y: {ticker: ticker(data.y.style, 34), axisLabelWidth: 52}
       },
       xlabel: data.x.label, ylabel: data.y.label, xLabelHeight: 22, yLabelWidth: 20,
-      legend: 'never', labelsDiv: document.createElement('div'),
+      rightGap: 26, legend: 'never', labelsDiv: document.createElement('div'),
       gridLineColor: colour('--rule'), gridLineWidth: 1, axisLineColor: colour('--soft'),
       highlightSeriesOpts: {strokeWidth: 3}, highlightSeriesBackgroundColor: colour('--ground'),
       highlightSeriesBackgroundAlpha: 0.75,
