@@ -38,6 +38,8 @@ TEST(Verbs, RenderTwiceGivesTheSameBytes) {
   const json same = json::parse(run("compare --json " + (folder / "a.exr") + " " + (folder / "b.exr")).out);
   EXPECT_EQ(same.at("mse"), 0);
   EXPECT_EQ(same.at("max_difference"), 0);
+  EXPECT_EQ(same.at("flip"), 0);
+  EXPECT_EQ(same.at("hdr_flip").at("value"), 0);
 }
 
 TEST(Verbs, DeviceAndReferenceAgree) {
@@ -47,6 +49,7 @@ TEST(Verbs, DeviceAndReferenceAgree) {
   ASSERT_EQ(run(words + "--device reference -o " + (folder / "b.exr")).exit_code, 0);
   const json difference = json::parse(run("compare --json " + (folder / "a.exr") + " " + (folder / "b.exr")).out);
   EXPECT_LE(difference.at("beyond").get<double>(), 2.0 / (32 * 24));
+  EXPECT_LT(difference.at("flip").get<double>(), 0.01);
 }
 
 TEST(Verbs, RenderReportsItsStages) {
