@@ -48,7 +48,8 @@ inline void forget_times(nlohmann::json& value) {
     for (auto it = value.begin(); it != value.end();) {
       const std::string& key = it.key();
       const bool timed = key.find("seconds") != std::string::npos || key.find("tim") != std::string::npos;
-      if (timed || key == "started" || key == "findings" || key == "command" || key == "explanation") {
+      if (timed || key == "started" || key == "findings" || key == "command" || key == "explanation" ||
+          key == "recommendation") {
         it = value.erase(it);
       } else {
         forget_times(*it++);
