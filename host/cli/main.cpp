@@ -42,6 +42,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.fallthrough(false);
   cli::add_study_verb(app);
+  cli::add_serve_verb(app);
   cli::add_merge_verb(app);
   cli::add_report_verb(app);
   cli::add_integrate_verb(app);

@@ -18,6 +18,7 @@ void add_check_verb(CLI::App& app);
 void add_bench_verb(CLI::App& app);
 void add_info_verb(CLI::App& app);
 void add_study_verb(CLI::App& app);
+void add_serve_verb(CLI::App& app);
 void add_merge_verb(CLI::App& app);
 void add_report_verb(CLI::App& app);
 void add_integrate_verb(CLI::App& app);

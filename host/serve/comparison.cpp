@@ -1,0 +1,253 @@
+#include "serve/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "base/error.h"
+#include "reference/reference.h"
+#include "render/features.h"
+#include "render/renderer.h"
+#include "scene/scene.h"
+#include "serve/answer.h"
+#include "study/plan.h"
+#include "study/scene_facts.h"
+
+namespace capcon::serve {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::uint32_t kSeeds = 32;            // then all is said
+constexpr std::uint32_t kLeastGroups = 4;       // of the reference before anything is measured
+constexpr std::uint32_t kMostGroups = 16;       // it grows meanwhile
+constexpr std::uint32_t kReferenceCount = 256;  // of each group
+
+double device_seconds(const Timings& timings) {
+  double sum = 0;
+  for (const auto& [stage, s] : timings.device) sum += s;
+  if (!timings.device.empty()) return sum;
+  for (const auto& [stage, s] : timings.wall)
+    if (stage != "points" && stage != "compile") sum += s;
+  return sum;
+}
+
+ordered_json interval(const std::vector<double>& values) {
+  const Interval i = mean_interval(values);
+  const auto value = [](double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(); };
+  return {{"value", value(i.value)}, {"low", value(i.low)}, {"high", value(i.high)}};
+}
+
+}  // namespace
+
+Tracer open_tracer(Settings& s) {
+  const Job first = make_job(s, s.samplers.front(), first_count(s), 1);
+  auto scene = std::make_shared<Scene>(read_scene(s.scene.file, needed_reading(first, false)));
+  set_film(*scene, s.width, s.height, 0);
+  if (s.integrator == "ao" && s.radius == 0) s.radius = default_radius(*scene);
+  Tracer tracer{{}, s.device, scene->film.width, scene->film.height};
+  if (tracer.height > 1024) throw InputError("the film is too high for its width: choose a smaller width");
+  if (s.device == "reference") {
+    auto reference = std::make_shared<Reference>(*scene);
+    tracer.render = [scene, reference](const Job& job) { return reference->render(job); };
+    return tracer;
+  }
+  RendererOptions options;
+  options.device = s.device;
+  options.shading = needs_shading(first);
+  auto renderer = std::make_shared<Renderer>(*scene, options);
+  tracer.device = renderer->device_info().value("name", s.device);
+  tracer.render = [scene, renderer](const Job& job) { return renderer->render(job); };
+  return tracer;
+}
+
+Comparison::Comparison(std::string id, Settings settings)
+    : id_(std::move(id)), settings_(std::move(settings)) {
+  for (const std::string& sampler : settings_.samplers) {
+    Series series;
+    series.sampler = sampler;
+    series.cells.push_back({first_count(settings_), {}, {}});
+    series_.push_back(std::move(series));
+  }
+}
+
+bool Comparison::step() {
+  if (cancelled_) return false;
+  try {
+    work();
+  } catch (const std::exception& error) {
+    const std::lock_guard lock(mutex_);
+    state_ = "failed";
+    message_ = one_line(error.what());
+  }
+  const std::lock_guard lock(mutex_);
+  if (state_ == "failed" || state_ == "done") tracer_.reset();
+  return state_ == "running" || state_ == "opening";
+}
+
+void Comparison::work() {
+  if (!tracer_) {
+    {
+      const std::lock_guard lock(mutex_);
+      state_ = "opening";
+    }
+    Settings settings = settings_;
+    tracer_ = open_tracer(settings);
+    const std::lock_guard lock(mutex_);
+    settings_ = settings;
+    device_ = tracer_->device;
+    width_ = tracer_->width;
+    height_ = tracer_->height;
+    state_ = "running";
+    return;
+  }
+  std::uint32_t frames = 0;  // only this thread writes what is read here
+  for (const Series& series : series_) frames += series.frames;
+  if (groups_ < kLeastGroups || (groups_ < kMostGroups && frames > groups_ * 12)) return reference_group();
+  if (Series* series = next_series()) return frame(*series);
+  const std::lock_guard lock(mutex_);
+  state_ = "done";
+}
+
+void Comparison::reference_group() {
+  const bool sets = settings_.integrator == "igi";
+  const Image image = tracer_
+                          ->render(make_job(settings_, kReferenceSampler, sets ? 32 : kReferenceCount,
+                                            kReferenceSeed + groups_))
+                          .image;
+  const std::lock_guard lock(mutex_);
+  const std::size_t n = image.pixels.size();
+  sum_.resize(n);
+  squares_.resize(n);
+  reference_ = Image(image.width, image.height, image.channels);
+  reference_variance_.resize(n);
+  const double groups = ++groups_;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double v = image.pixels[i];
+    sum_[i] += v;
+    squares_[i] += v * v;
+    const double mean = sum_[i] / groups;
+    reference_.pixels[i] = static_cast<float>(mean);
+    reference_variance_[i] =
+        groups < 2 ? 0 : std::max(0.0, squares_[i] / groups - mean * mean) / (groups - 1);
+  }
+}
+
+Comparison::Series* Comparison::next_series() {
+  Series* least = nullptr;
+  const auto used = [&](const Series& s) { return settings_.equal_time ? s.spent : double(s.frames); };
+  for (Series& series : series_) {
+    if (series.seed > kSeeds) continue;
+    if (!least || used(series) < used(*least)) least = &series;
+  }
+  return least;
+}
+
+void Comparison::frame(Series& series) {
+  const std::uint32_t count = series.cells[series.next].count;
+  if (!series.warm)
+    tracer_->render(make_job(settings_, series.sampler, count, 0));  // compiles: does not count
+  series.warm = true;
+  RenderResult result = tracer_->render(make_job(settings_, series.sampler, count, series.seed));
+  Frame f;
+  f.seconds = device_seconds(result.timings);
+  f.rays = static_cast<double>(result.rays);
+  for (std::size_t i = 0; i < result.image.pixels.size(); ++i) {
+    const double b = reference_.pixels[i], d = result.image.pixels[i] - b, e = d * d - reference_variance_[i];
+    if (!std::isfinite(e)) throw Failure(series.sampler + " gave a pixel that is not a finite number");
+    f.mse += e;
+    f.relmse += e / (b * b + 0.01);
+  }
+  f.mse /= static_cast<double>(result.image.pixels.size());
+  f.relmse /= static_cast<double>(result.image.pixels.size());
+  const std::lock_guard lock(mutex_);
+  Cell& cell = series.cells[series.next];
+  cell.frames.push_back(f);
+  if (series.seed == 1) cell.first = std::move(result.image);
+  series.spent += f.seconds;
+  ++series.frames;
+  advance(series);
+}
+
+/// With the first seed counts double until a frame takes well over the time that is asked about, so that
+/// curves reach beyond it; the others follow.
+void Comparison::advance(Series& series) {
+  const Cell& cell = series.cells[series.next];
+  if (series.seed == 1 && cell.count * 2 <= largest_count(settings_, series.sampler) &&
+      cell.frames.back().seconds < 1.5 * settings_.frame_seconds)
+    series.cells.push_back({cell.count * 2, {}, {}});
+  if (++series.next < series.cells.size()) return;
+  series.next = 0;
+  ++series.seed;
+}
+
+ordered_json Comparison::snapshot() const {
+  const std::lock_guard lock(mutex_);
+  ordered_json out = {{"id", id_},
+                      {"state", cancelled_ ? "cancelled" : state_},
+                      {"message", message_},
+                      {"device", device_},
+                      {"width", width_},
+                      {"height", height_},
+                      {"scene", settings_.scene.name},
+                      {"radius", settings_.radius}};
+  double error = 0;
+  for (const double v : reference_variance_) error += v;
+  out["reference"] = {{"groups", groups_},
+                      {"of", kMostGroups},
+                      {"mse", reference_variance_.empty() ? 0 : error / double(reference_variance_.size())}};
+  std::uint32_t common = std::numeric_limits<std::uint32_t>::max();  // largest count that all have
+  for (const Series& s : series_) {
+    std::uint32_t largest = 0;
+    for (const Cell& c : s.cells) largest = c.frames.empty() ? largest : c.count;
+    common = std::min(common, largest);
+  }
+  std::vector<Curve> curves;
+  for (const Series& s : series_) {
+    ordered_json one = {{"sampler", s.sampler}, {"frames", s.frames}, {"device_seconds", s.spent}};
+    std::uint32_t shown = 0;
+    double rays = 0;
+    for (const Cell& cell : s.cells) {
+      if (cell.frames.empty()) continue;
+      std::vector<double> mse, relmse;
+      double seconds = 0, traced = 0;
+      for (const Frame& f : cell.frames) {
+        mse.push_back(f.mse);
+        relmse.push_back(f.relmse);
+        seconds += f.seconds;
+        traced += f.rays;
+      }
+      rays += traced;
+      const double mean = seconds / double(cell.frames.size());
+      one["cells"].push_back({{"count", cell.count},
+                              {"seeds", cell.frames.size()},
+                              {"seconds", mean},
+                              {"rays_per_second", seconds > 0 ? traced / seconds : 0},
+                              {"mse", interval(mse)},
+                              {"relmse", interval(relmse)}});
+      if (settings_.equal_time ? (shown == 0 || mean <= settings_.frame_seconds) : cell.count <= common)
+        shown = cell.count;
+    }
+    one["rays_per_second"] = s.spent > 0 ? rays / s.spent : 0;
+    if (shown > 0)
+      one["shown"] = {{"count", shown},
+                      {"command", command_of(settings_, s.sampler, shown, 1, width_, height_)}};
+    out["series"].push_back(std::move(one));
+    curves.push_back({s.sampler, &s.cells});
+  }
+  out["answer"] = answer(curves, settings_.frame_seconds, device_);
+  return out;
+}
+
+std::optional<Image> Comparison::image(const std::string& sampler, std::uint32_t count) const {
+  const std::lock_guard lock(mutex_);
+  if (sampler == "reference") return groups_ > 0 ? std::optional(reference_) : std::nullopt;
+  for (const Series& s : series_)
+    if (s.sampler == sampler)
+      for (const Cell& cell : s.cells)
+        if (cell.count == count && !cell.first.pixels.empty()) return cell.first;
+  return std::nullopt;
+}
+
+}  // namespace capcon::serve
