@@ -74,7 +74,9 @@ TEST(Serve, PagesAndSetupAreThere) {
 TEST(Serve, WrongRequestsAreRefusedWithASentence) {
   const Served served;
   const auto status = [&](const httplib::Result& r) {
-    if (r && r->status >= 400) EXPECT_FALSE(json::parse(r->body).value("error", "").empty()) << r->body;
+    if (r && r->status >= 400) {
+      EXPECT_FALSE(json::parse(r->body).value("error", "").empty()) << r->body;
+    }
     return r ? r->status : 0;
   };
   for (const char* path :
@@ -136,7 +138,8 @@ TEST(Serve, TheCommandLineShownMakesTheSameBits) {
   ASSERT_EQ(r->status, 200);
   std::uint32_t head[3];
   std::memcpy(head, r->body.data(), sizeof head);
-  Image image(int(head[0]), int(head[1]), int(head[2]));
+  const auto [width, height, channels] = head;
+  Image image{static_cast<int>(width), static_cast<int>(height), static_cast<int>(channels)};
   ASSERT_EQ(r->body.size(), 12 + image.pixels.size() * 4);
   std::memcpy(image.pixels.data(), r->body.data() + 12, image.pixels.size() * 4);
   std::string command = shown["command"];
