@@ -113,9 +113,17 @@ class Browser {
   }
 
  private:
+  /// One that nobody listens at now (httplib's server would keep it).
   static int free_port() {
-    httplib::Server server;
-    return server.bind_to_any_port("127.0.0.1");
+    const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    ::bind(socket, reinterpret_cast<sockaddr*>(&address), size);
+    ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
+    ::close(socket);
+    return ntohs(address.sin_port);
   }
   std::string element(const std::string& css) {
     return session_ + "/element/" +
