@@ -20,11 +20,23 @@ using testing::Browser;
 
 const std::string kScene = CAPCON_SOURCE_DIR "/scenes/courtyard.pbrt";
 
+/// Lamp, floor and ball: what is held of it is small beside what a leak would add up to.
+std::string small_scene(const testing::Folder& folder) {
+  return folder.write("small.pbrt",
+                      "LookAt 0 -4 3 0 0 .5 0 0 1\nCamera \"perspective\" \"float fov\" 40\n"
+                      "Film \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 12\nWorldBegin\n"
+                      "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [5 5 4]\nTranslate .5 0 2\n"
+                      "Rotate 180 1 0 0\nShape \"disk\" \"float radius\" .6\nAttributeEnd\n"
+                      "Material \"diffuse\" \"rgb reflectance\" [.6 .4 .3]\nShape \"trianglemesh\" "
+                      "\"point3 P\" [-2 -2 0 2 -2 0 2 2 0 -2 2 0] \"integer indices\" [0 1 2 0 2 3]\n"
+                      "Shape \"sphere\" \"float radius\" .5\n");
+}
+
 /// A server on a free port, for one test.
 class Served {
  public:
-  explicit Served(int patience = 15000)
-      : server_({0, "lavapipe", serve::offered_scenes(kScene), patience}),
+  explicit Served(int patience = 15000, const std::string& scene = kScene)
+      : server_({0, "lavapipe", serve::offered_scenes(scene), patience}),
         thread_([this] { server_.run(); }) {}
   ~Served() { server_.stop(); }
   int port() const { return server_.port(); }
@@ -150,6 +162,31 @@ TEST(Serve, TheCommandLineShownMakesTheSameBits) {
   EXPECT_EQ(compare(read_exr(folder / "a.exr"), image).max_difference, 0);
 }
 
+// Every kind of light and of comparing gives figures, and an image that its command gives too.
+TEST(Serve, EveryIntegratorIsCompared) {
+  const testing::Folder folder;
+  const Served served(15000, small_scene(folder));
+  for (const auto& [integrator, split] : {std::pair("direct", 4), {"igi", 1}}) {
+    json body = small();
+    body["integrator"] = integrator;
+    body["split"] = split;
+    body["mode"] = "equal-samples";
+    body["frame_seconds"] = 0.01;
+    body.erase("radius");
+    const auto started = served.start(body);
+    ASSERT_EQ(started->status, 201) << integrator << ": " << started->body;
+    const std::string id = json::parse(started->body).at("id");
+    const json s = snapshot_when(served, id, [](const json& s) {
+      return s.contains("series") && s["series"][0].value("frames", 0) > 1 &&
+             s["series"][1].value("frames", 0) > 1;
+    });
+    ASSERT_NE(s.value("state", ""), "failed") << integrator << ": " << s.dump(1);
+    const int apart = s["series"][0].value("frames", 0) - s["series"][1].value("frames", 0);
+    EXPECT_LE(std::abs(apart), 1) << integrator << ": equal samples";
+    EXPECT_THAT(s["series"][0]["shown"].value("command", ""), ::testing::HasSubstr("capcon render"));
+  }
+}
+
 TEST(Serve, TenClientsAtOnceAndABoundedNumberOfComparisons) {
   const Served served;
   std::set<std::string> ids;
@@ -200,7 +237,8 @@ std::array<long, 3> held() {
 }
 
 TEST(Serve, HoldsNothingAfterManyStartsAndCancels) {
-  const Served served;
+  const testing::Folder folder;
+  const Served served(15000, small_scene(folder));
   const auto turn = [&](int i) {
     json body = small();
     body["width"] = 16 + i % 20;
@@ -218,7 +256,7 @@ TEST(Serve, HoldsNothingAfterManyStartsAndCancels) {
   const auto after = held();
   EXPECT_LE(after[0], before[0] + 4);
   EXPECT_LE(after[1], before[1] + 8);
-  EXPECT_LE(after[2] - before[2], 60 * 256) << "pages of 4 KiB: 60 MiB";
+  EXPECT_LE(after[2] - before[2], 24 * 256) << "pages of 4 KiB: 24 MiB, where 450 turns add 8";
 }
 
 TEST(Serve, SaysWhatIsDecidedAndWhatIsNot) {
@@ -260,9 +298,10 @@ TEST(ServeVerb, SaysItsAddressAndThatAPortIsTaken) {
 
 TEST(ServePage, LoadsRendersSwitchesSamplerAndWipes) {
   if (!Browser::available()) GTEST_SKIP() << "no /usr/bin/chromedriver and chromium";
-  const Served served;
   const char* pictures =
       std::getenv("CAPCON_PICTURES");  // a folder: the README's picture is taken, which takes longer
+  const testing::Folder folder;
+  const Served served(15000, pictures ? kScene : small_scene(folder));
   Browser browser(1280, 1000);
   browser.open(served.url());
   ASSERT_TRUE(browser.wait_for("document.querySelectorAll('#samplers input').length > 5"));
@@ -289,14 +328,37 @@ TEST(ServePage, LoadsRendersSwitchesSamplerAndWipes) {
     EXPECT_TRUE(
         browser.wait_for("document.querySelector('#table code').textContent.startsWith('capcon render ')"));
   }
-  const auto pixel = [&](double x, double y) {
+  const auto seen = [&] {  // a checksum of what the canvas shows
     return browser.run(
-        "const v = document.getElementById('view'); return [...v.getContext('2d').getImageData(v.width * " +
-        std::to_string(x) + ", v.height * " + std::to_string(y) + ", 40, 40).data].join()");
+        "const v = document.getElementById('view'); return v.getContext('2d').getImageData(0, 0, v.width, "
+        "v.height).data.reduce((sum, x) => (sum * 31 + x) >>> 0, 7)");
   };
-  const json before = pixel(0.3, 0.5);
+  const json before = seen();
   browser.run("const w = document.getElementById('wipe'); w.value = 5; w.oninput()");
-  EXPECT_NE(pixel(0.3, 0.5), before);  // the right image is there now
+  EXPECT_NE(seen(), before);  // the right image is there now
+  // Exposure, false colour and zoom change what is seen; the value under the cursor does not depend on them.
+  const auto value_at_middle = [&] {
+    browser.run(
+        "const v = document.getElementById('view'), r = v.getBoundingClientRect(); v.dispatchEvent(new "
+        "PointerEvent('pointermove', {clientX: r.left + r.width / 2, clientY: r.top + r.height / 2, bubbles: "
+        "true}))");
+    return browser.run("return document.getElementById('value').textContent").get<std::string>();
+  };
+  const std::string value = value_at_middle();
+  EXPECT_THAT(value, ::testing::ContainsRegex("[0-9]"));
+  for (const char* change :
+       {"const e = document.getElementById('exposure'); e.value = -2; e.oninput()",
+        "const e = document.getElementById('error'); e.checked = true; e.oninput()",
+        "const e = document.getElementById('error'); e.checked = false; e.oninput(); const z = "
+        "document.getElementById('zoom'); z.value = 4; z.oninput()"}) {
+    const json last = seen();
+    browser.run(change);
+    EXPECT_NE(seen(), last) << change;
+  }
+  browser.run(
+      "const z = document.getElementById('zoom'); z.value = 1; z.oninput(); const e = "
+      "document.getElementById('exposure'); e.value = 0; e.oninput()");
+  EXPECT_EQ(value_at_middle(), value);
   browser.run("document.getElementById('view').focus()");
   browser.keys("#view", "\uE014");  // the right arrow
   EXPECT_EQ(browser.run("return +document.getElementById('wipe').value"), 7);

@@ -70,7 +70,7 @@ function show() {
   const s = state.snapshot;
   if (s.state === 'failed') return say(s.message, true);
   const words = { waiting: 'Waiting for the device.', opening: 'Reading the scene.', running: 'Measuring', done: 'All is measured' }[s.state] || s.state;
-  $('status').textContent = s.width ? `${words} · ${s.scene}, ${s.width} × ${s.height}` + ($('integrator').value === 'ao' ? `, radius ${s.radius}` : '') +
+  $('status').textContent = s.width ? `${words} · ${s.scene}, ${s.width} × ${s.height}` + ($('integrator').value === 'ao' ? `, radius ${+s.radius.toPrecision(4)}` : '') +
     ` · ${s.device} · reference ${s.reference.groups} of ${s.reference.of} groups, its own MSE ${s.reference.mse.toExponential(1)} is taken off` : words;
   say(s.answer.text);
   chart();
