@@ -317,8 +317,8 @@ TEST(ServePage, LoadsRendersSwitchesSamplerAndWipes) {
     EXPECT_TRUE(
         browser.wait_for("/^At/.test(document.getElementById('answer').textContent) && !/not "
                          "known/.test(document.getElementById('answer').textContent) && "
-                         "state.snapshot.series.every(s => s.cells.at(-1).seeds >= 4)",
-                         200));
+                         "state.snapshot.series.every(s => s.cells.at(-1).seeds >= 2)",
+                         300));
     browser.run(
         "document.getElementById('left').value = 'random'; document.getElementById('right').value = "
         "'capcon-domain'; fetchImages()");
