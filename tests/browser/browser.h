@@ -54,7 +54,7 @@ class Browser {
          {{"alwaysMatch",
            {{"goog:chromeOptions", {{"args", arguments}, {"binary", "/usr/bin/chromium"}}},
             {"goog:loggingPrefs", {{"browser", "ALL"}}}}}}}};
-    for (int tries = 0; tries < 200; ++tries) {  // until it listens
+    for (int tries = 0; tries < 2400; ++tries) {  // until it listens
       if (httplib::Client("127.0.0.1", port_).Get("/status")) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(25));
     }
@@ -76,7 +76,7 @@ class Browser {
     return post(session_ + "/execute/sync", {{"script", script}, {"args", nlohmann::json::array()}});
   }
   /// Whether the expression becomes true in time.
-  bool wait_for(const std::string& expression, double seconds = 10) {
+  bool wait_for(const std::string& expression, double seconds = 60) {
     const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     while (std::chrono::steady_clock::now() < until) {
       if (run("return !!(" + expression + ")") == true) return true;
@@ -140,12 +140,12 @@ class Browser {
   }
   nlohmann::json post(const std::string& path, const nlohmann::json& body) {
     httplib::Client client("127.0.0.1", port_);
-    client.set_read_timeout(30);
+    client.set_read_timeout(120);
     return value_of(client.Post(path, body.dump(), "application/json"), path);
   }
   nlohmann::json get(const std::string& path) {
     httplib::Client client("127.0.0.1", port_);
-    client.set_read_timeout(30);
+    client.set_read_timeout(120);
     return value_of(client.Get(path), path);
   }
 

@@ -66,7 +66,7 @@ json small(const std::string& client = "me") {
 json snapshot_when(const Served& served, const std::string& id,
                    const std::function<bool(const json&)>& there) {
   json s;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 6000; ++i) {
     s = json::parse(served.client().Get("/api/comparison?client=me&id=" + id)->body);
     if (there(s) || s.value("state", "") == "failed") return s;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -310,9 +310,9 @@ TEST(ServePage, LoadsRendersSwitchesSamplerAndWipes) {
         "document.getElementById('width').value = '120'; document.getElementById('frame').value = '0.05'");
     browser.click("#start");
   }
-  ASSERT_TRUE(browser.wait_for("document.getElementById('view').dataset.drawn", 30))
+  ASSERT_TRUE(browser.wait_for("document.getElementById('view').dataset.drawn", 120))
       << browser.run("return document.body.innerText");
-  ASSERT_TRUE(browser.wait_for("document.querySelectorAll('#chart circle').length >= 6", 30));
+  ASSERT_TRUE(browser.wait_for("document.querySelectorAll('#chart circle').length >= 6", 120));
   if (pictures) {
     EXPECT_TRUE(
         browser.wait_for("/^At/.test(document.getElementById('answer').textContent) && !/not "
@@ -367,9 +367,9 @@ TEST(ServePage, LoadsRendersSwitchesSamplerAndWipes) {
   browser.click("#samplers input[value=halton]");
   browser.click("#start");
   EXPECT_TRUE(browser.wait_for(
-      "[...document.querySelectorAll('#table td')].some(c => c.textContent === 'halton')", 30));
+      "[...document.querySelectorAll('#table td')].some(c => c.textContent === 'halton')", 120));
   EXPECT_TRUE(browser.wait_for(
-      "state.snapshot.series.length === 4 && document.querySelectorAll('#chart circle').length >= 4", 30));
+      "state.snapshot.series.length === 4 && document.querySelectorAll('#chart circle').length >= 4", 120));
   browser.click("#cancel");
   EXPECT_TRUE(browser.wait_for("document.getElementById('status').textContent === 'Stopped.'"));
   browser.resize(500, 900);

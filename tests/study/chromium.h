@@ -23,7 +23,7 @@ inline std::string chromium(const std::filesystem::path& folder, const std::file
                             const std::string& options) {
   const auto out = folder / "chromium.txt";
   const std::string command = fmt::format(
-      "timeout 60 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
+      "timeout 180 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
       "--disable-background-networking --disable-component-update --disable-sync --hide-scrollbars "
       "--user-data-dir='{}' --virtual-time-budget=8000 {} 'file://{}' >'{}' 2>/dev/null",
       (folder / "profile").string(), options, std::filesystem::absolute(page).string(), out.string());
