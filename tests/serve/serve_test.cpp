@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <thread>
 
@@ -247,16 +249,25 @@ TEST(Serve, HoldsNothingAfterManyStartsAndCancels) {
     if (i % 7 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(60));
     ASSERT_EQ(served.client().Post("/api/leave?client=me")->status, 200);
   };
-  const auto settle = [] { std::this_thread::sleep_for(std::chrono::milliseconds(700)); };
+  const auto settled = [] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    ::malloc_trim(0);  // what the heap keeps for later is no leak
+    return held();
+  };
   for (int i = 0; i < 40; ++i) turn(i);
-  settle();
-  const auto before = held();
-  for (int i = 0; i < 150; ++i) turn(i);
-  settle();
-  const auto after = held();
-  EXPECT_LE(after[0], before[0] + 4);
-  EXPECT_LE(after[1], before[1] + 8);
-  EXPECT_LE(after[2] - before[2], 24 * 256) << "pages of 4 KiB: 24 MiB, where 450 turns add 8";
+  const auto first = settled();
+  // What is kept once (a device's caches, heaps of threads) comes some time; a leak grows in every window.
+  long least = std::numeric_limits<long>::max(), before = first[2];
+  auto last = first;
+  for (int window = 0; window < 3; ++window) {
+    for (int i = 0; i < 80; ++i) turn(i);
+    last = settled();
+    least = std::min(least, last[2] - before);
+    before = last[2];
+  }
+  EXPECT_LE(last[0], first[0] + 4);
+  EXPECT_LE(last[1], first[1] + 8);
+  EXPECT_LE(least, 6 * 256) << "pages of 4 KiB: 6 MiB";
 }
 
 TEST(Serve, SaysWhatIsDecidedAndWhatIsNot) {
