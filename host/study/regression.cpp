@@ -88,6 +88,8 @@ Baseline read_baseline(const fs::path& file) {
       for (const char* name : {"sampler", "baseline"}) ratio.at(name).get_ref<const std::string&>();
       ratio.at("samples").get<std::uint32_t>();
       for (const bool by_mse : {false, true}) figure_of(ratio, j, by_mse);
+      // The same figure twice: which one counts?
+      if (find_ratio(j, ratio) != &ratio) throw std::out_of_range("twice");
     }
   } catch (const json::exception&) {
     throw InputError(SourcePlace{file.string(), 0, 0},
