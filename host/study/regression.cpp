@@ -80,7 +80,9 @@ Baseline read_baseline(const fs::path& file) {
     baseline.json = parse_study_json(read_file(file));
     const json& j = baseline.json;
     j.at("settings").at("samplers").get<std::vector<std::string>>();
-    j.at("settings").at("samples").get<std::vector<std::uint32_t>>();
+    const auto samples = j.at("settings").at("samples").get<std::vector<std::uint32_t>>();
+    if (std::count(samples.begin(), samples.end(), 0u) > 0 || !std::is_sorted(samples.begin(), samples.end()))
+      throw std::out_of_range("samples");
     const bool whole =
         j.at("study").is_string() && !j.at("settings").at("samples").empty() && j.at("ratios").is_array();
     if (!whole) throw std::out_of_range("not whole");
