@@ -56,10 +56,11 @@ void JobOptions::add_to(CLI::App& verb) {
       ->capture_default_str()
       ->check(CLI::IsMember({"ao", "direct", "igi", "path"}));
   auto* name =
-      verb.add_option("--sampler", sampler,
-                      "Where sample points come from: random jittered sobol-xor sobol-owen ccvt capcon "
-                      "capcon-domain fpo halton lattice pmj02 sobol-z capcon-screen capcon-bounded, or "
-                      "file:PATH[:shift|xor|none][:sequence] for your own")
+      verb.add_option(
+              "--sampler", sampler,
+              "Where sample points come from: random jittered sobol-xor sobol-owen ccvt capcon "
+              "capcon-domain capcon-ranked fpo halton lattice pmj02 sobol-z capcon-screen capcon-bounded, or "
+              "file:PATH[:shift|xor|none][:sequence] for your own")
           ->capture_default_str();
   auto* on_screen =
       verb.add_option("--screen", screen,

@@ -233,11 +233,11 @@ void add_options(CLI::App* study, const std::shared_ptr<Options>& o) {
 
 void add_samples(CLI::App* study, const std::shared_ptr<Options>& o) {
   study
-      ->add_option(
-          "--samplers", o->settings.samplers,
-          "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton "
-          "lattice pmj02 (default: all but the last four), and file:PATH[:shift|xor|none][:sequence] "
-          "for your own points")
+      ->add_option("--samplers", o->settings.samplers,
+                   "any of: random jittered sobol-xor sobol-owen ccvt capcon capcon-domain fpo halton "
+                   "lattice pmj02 capcon-ranked (default: all but the last five), and "
+                   "file:PATH[:shift|xor|none][:sequence] "
+                   "for your own points")
       ->delimiter(',')
       ->allow_extra_args(false);
   study->add_option("--samples", o->samples, "samples a pixel: counts and doubling ranges")
