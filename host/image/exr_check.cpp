@@ -99,6 +99,7 @@ bool fits(std::string_view type, std::string_view value) {
   if (type == "chlist") return is_channel_list(value);
   if (type == "preview") return is_preview(value);
   if (type == "stringvector") return is_strings(value);
+  if (type == "floatvector") return value.size() % 4 == 0;  // of others it reads less
   const std::uint32_t expected = bytes_of_type(type);
   return expected == 0 || value.size() == expected;
 }
