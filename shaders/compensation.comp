@@ -8,6 +8,7 @@
 
 layout(local_size_x = kGroupSize) in;
 layout(push_constant, std430) uniform Push { CompensationConstants push; };
+#include "dispatch.glsl"
 #include "fetch.glsl"
 #include "sampling/sampler.glsl"
 #include "sampling/warp.glsl"

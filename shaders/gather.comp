@@ -8,6 +8,7 @@
 layout(local_size_x = kGroupSize) in;
 layout(push_constant, std430) uniform Push { GatherConstants push; };
 #define RAYS_TO_LIGHTS
+#include "dispatch.glsl"
 #include "fetch.glsl"
 vec2 unit_floats(uvec2 bits) { return vec2(bits >> 8u) * 5.9604644775390625e-8; }
 #include "sampling/warp.glsl"
@@ -21,12 +22,10 @@ DATA_TEXELS(kBindVirtualLights, virtual_light_texels);
 layout(set = 0, binding = kBindSamples, std430) writeonly buffer Samples { vec4 samples[]; };
 
 void main() {
-  // The driver may hand each of its threads one contiguous piece: a stride coprime to the number of groups spreads the work.
-  uint group = (gl_WorkGroupID.x * push.group_stride) % gl_NumWorkGroups.x;
-  uint lane = group * kGroupSize + gl_LocalInvocationIndex;
-  uint k = lane / max(push.lanes, 1u);
+  uint lane = spread_group(push.group_stride) * kGroupSize + gl_LocalInvocationIndex;
+  uint k = divide(lane, max(push.lanes, 1u));
   uint p = lane - k * push.lanes;
-  uint row = p / max(push.across, 1u);
+  uint row = divide(p, max(push.across, 1u));
   uint x = push.residue_x + (p - row * push.across) * push.block;
   uint pixel = push.block > 1u ? (push.row + row * push.block) * push.width + x : push.first_pixel + p;
   bool inside = p < push.lanes && k < push.columns && pixel >= push.first_pixel && pixel - push.first_pixel < push.pixel_count;

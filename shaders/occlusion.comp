@@ -7,6 +7,7 @@
 layout(local_size_x = kGroupSize) in;
 layout(push_constant, std430) uniform Push { OcclusionConstants push; };
 
+#include "dispatch.glsl"
 #include "fetch.glsl"
 #include "sampling/sampler.glsl"
 #include "sampling/warp.glsl"
@@ -18,10 +19,8 @@ layout(constant_id = kSpecOrdered) const uint kOrdered = 0u;
 layout(set = 0, binding = kBindCounts, std430) buffer Counts { uint counts[]; };
 
 void main() {
-  // The driver may hand each of its threads one contiguous piece: a stride coprime to the number of groups spreads the work.
-  uint group = (gl_WorkGroupID.x * push.group_stride) % gl_NumWorkGroups.x;
-  uint local = group * kGroupSize + gl_LocalInvocationIndex;
-  uint pixel_in_batch = local / max(push.samples, 1u);  // 0 samples: the warm-up run
+  uint local = spread_group(push.group_stride) * kGroupSize + gl_LocalInvocationIndex;
+  uint pixel_in_batch = divide(local, max(push.samples, 1u));  // 0 samples: the warm-up run
   uint index = push.first_sample + local - pixel_in_batch * push.samples;
   if (kOrdered != 0u) index = FETCH(order_texels, index).x;  // neighbouring lanes get neighbouring directions
   bool inside = pixel_in_batch < push.pixel_count;
@@ -37,5 +36,7 @@ void main() {
   ray.direction = normalize(to_frame(cosine_hemisphere(u), uintBitsToFloat(facing.xyz)));
   ray.t_max = push.radius;
   ray.skip = at.w;
-  if (!occluded(ray, push.tree, live) && live) atomicAdd(counts[place], 1u);
+  uint visible = !occluded(ray, push.tree, live) && live ? 1u : 0u;
+  visible = gathered(visible, place);
+  if (visible != 0u) atomicAdd(counts[place], visible);
 }

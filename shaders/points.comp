@@ -7,6 +7,7 @@
 layout(local_size_x = kGroupSize) in;
 layout(push_constant, std430) uniform Push { PointConstants push; };
 
+#include "dispatch.glsl"
 #include "fetch.glsl"
 #include "sampling/sampler.glsl"
 

@@ -9,6 +9,7 @@ layout(local_size_x = kGroupSize) in;
 layout(push_constant, std430) uniform Push { PrimaryConstants push; };
 layout(constant_id = kSpecJittered) const uint kJittered = 0u;
 
+#include "dispatch.glsl"
 #include "fetch.glsl"
 #include "sampling/sampler.glsl"
 #include "sampling/filter.glsl"

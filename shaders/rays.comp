@@ -8,6 +8,7 @@ layout(local_size_x = kGroupSize) in;
 layout(push_constant, std430) uniform Push { RayConstants push; };
 layout(constant_id = kSpecAnyHit) const uint kAnyHit = 0u;
 
+#include "dispatch.glsl"
 #include "fetch.glsl"
 #include "tracing/bvh.glsl"
 
@@ -15,8 +16,7 @@ DATA_TEXELS(kBindRays, ray_texels);
 layout(set = 0, binding = kBindHits, std430) writeonly buffer Hits { uvec2 hits[]; };
 
 void main() {
-  uint group = (gl_WorkGroupID.x * push.group_stride) % gl_NumWorkGroups.x;
-  uint index = group * kGroupSize + gl_LocalInvocationIndex;
+  uint index = spread_group(push.group_stride) * kGroupSize + gl_LocalInvocationIndex;
   bool live = index < push.count;
   index = push.first + (live ? index : 0u);
   uvec4 r0 = FETCH(ray_texels, index * 2u);

@@ -1,6 +1,7 @@
 // What the kernels of direct lighting share: the batch's numbering, and the place of a sample's points.
 layout(push_constant, std430) uniform Push { DirectConstants push; };
 #define RAYS_TO_LIGHTS
+#include "dispatch.glsl"
 #include "fetch.glsl"
 #include "sampling/sampler.glsl"
 #include "sampling/warp.glsl"
@@ -26,16 +27,19 @@ struct Job {
 };
 
 Job this_job() {
-  // The driver may hand each of its threads one contiguous piece: a stride coprime to the number of groups spreads the work.
-  uint group = (gl_WorkGroupID.x * push.group_stride) % gl_NumWorkGroups.x;
   Job job;
-  job.slot = group * kGroupSize + gl_LocalInvocationIndex;
-  uint local = job.slot / max(push.samples, 1u);  // 0 samples: the warm-up run
+  job.slot = spread_group(push.group_stride) * kGroupSize + gl_LocalInvocationIndex;
+  uint local = divide(job.slot, max(push.samples, 1u));  // 0 samples: the warm-up run
   uint index = push.first_sample + job.slot - local * push.samples;
   if (kOrdered != 0u) index = FETCH(order_texels, index).x;  // neighbouring lanes get neighbouring directions
   job.live = local < push.pixel_count;
   job.pixel = push.first_pixel + (job.live ? local : 0u);
-  job.part = index / max(push.split.y, 1u);
+  job.part = 0u;
+  bool in_parts = push.split.x > 1u;
+  while (in_parts) {
+    job.part = index / push.split.y;
+    in_parts = false;
+  }
   job.index = index - job.part * push.split.y;
   return job;
 }

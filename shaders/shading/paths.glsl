@@ -1,6 +1,7 @@
 // What the kernels of light paths share: a path's ray, and the place of its points (docs/igi.md).
 layout(push_constant, std430) uniform Push { PathConstants push; };
 #define RAYS_TO_LIGHTS
+#include "dispatch.glsl"
 #include "fetch.glsl"
 #include "sampling/sampler.glsl"
 #include "sampling/warp.glsl"
