@@ -35,6 +35,7 @@ CAPCON_CONST kSamplerCapconScreen = 9u;
 CAPCON_CONST kSamplerSobolZ = 10u;
 CAPCON_CONST kSamplerCapconRanked = 11u;
 CAPCON_CONST kSamplerCapconBounded = 8u;
+CAPCON_CONST kSamplerInParts = 0x100u;  // or: sets of capcon-domain and capcon-screen whose table has an order of parts
 
 // Domains of an integral's points: SampleDomain of host/sampling/sampler.h.
 CAPCON_CONST kDomainSquare = 0u;
@@ -56,7 +57,7 @@ CAPCON_CONST kPairOnwards = 1u;    // direction; its component: y of kPairCompon
 CAPCON_CONST kPairEnd = 65535u;    // whether it goes on
 
 // Specialisation constants.
-CAPCON_CONST kSpecSampler = 0u;      // a sampler id
+CAPCON_CONST kSpecSampler = 0u;      // a sampler id, with kSamplerInParts
 CAPCON_CONST kSpecStackSize = 1u;    // entries of the traversal stack beyond its registers, >= 1
 CAPCON_CONST kSpecQuadrics = 2u;     // 1: the scene has spheres or disks
 CAPCON_CONST kSpecJittered = 3u;     // 1: image samples lie at points of the sampler, 0: at pixel centres

@@ -11,6 +11,7 @@
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "points/cell_swaps.h"
+#include "points/halved_order.h"
 
 namespace capcon {
 namespace {
@@ -36,7 +37,7 @@ class Ranking {
         to_class_(std::size_t(n) * m_) {}
 
   void run(std::uint64_t set) {
-    halve(0, n_, 0);
+    halve_in_turn(cells_, n_, columns_, bits_);  // into regions, each of m_ cells that follow each other
     deal(set);
     measure();
     for (int sweep = 0; sweep < kSweeps && improve(); ++sweep) {
@@ -47,20 +48,6 @@ class Ranking {
  private:
   glm::dvec2 centre(std::uint32_t cell) const {
     return {(cell % columns_ + 0.5) / columns_, (cell / columns_ + 0.5) / rows_};
-  }
-
-  /// Cells first ... last - 1 become regions, each of m_ cells that follow each other.
-  void halve(std::uint32_t first, std::uint32_t last, std::uint32_t level) {
-    if (level == bits_) return;
-    const std::uint32_t middle = (first + last) / 2;
-    const auto key = [&](std::uint32_t c) {
-      const std::uint32_t x = c % columns_, y = c / columns_;
-      return level % 2 == 0 ? std::pair(x, y) : std::pair(y, x);
-    };
-    std::nth_element(cells_ + first, cells_ + middle, cells_ + last,
-                     [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    halve(first, middle, level + 1);
-    halve(middle, last, level + 1);
   }
 
   /// at_[r * m_ + c]: the point, by number, of class c in region r.

@@ -27,7 +27,9 @@ std::vector<KernelVariant> direct_lighting_kernels(const RendererState& state, c
   const auto sampler = integrator_sampler(job, state.film);
   const std::uint32_t id = sampler->tables({}).id;
   const bool ordered = !order_of(job, *sampler).empty();
-  std::vector<KernelVariant> variants = {state.primary_variant(jittered, id, job.filter)};
+  // Places in the pixel are points of sets in one part.
+  const std::uint32_t image_id = id & ~layout::kSamplerInParts;
+  std::vector<KernelVariant> variants = {state.primary_variant(jittered, image_id, job.filter)};
   const DirectVariants direct = direct_variants(state, job, id, ordered, false);
   variants.insert(variants.end(), direct.lights.begin(), direct.lights.end());
   variants.insert(variants.end(), direct.bsdf.begin(), direct.bsdf.end());

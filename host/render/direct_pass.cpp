@@ -126,7 +126,7 @@ void DirectLightingPass::make_points() {
 }
 
 void DirectLightingPass::make_kernels() {
-  primary_ = &s_.kernel(s_.primary_variant(jittered_, tables_.id, job_.filter));
+  primary_ = &s_.kernel(s_.primary_variant(jittered_, image_tables_.id, job_.filter));
   const DirectVariants variants = direct_variants(s_, job_, tables_.id, !order_.empty(), false);
   for (const KernelVariant& variant : variants.lights) lights_.push_back(&s_.kernel(variant));
   for (std::size_t j = 0; j < lights_.size(); ++j) sampled_ += is_single(s_.light_list.kinds[j]) ? 0 : 1;

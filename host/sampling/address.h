@@ -18,6 +18,7 @@ constexpr std::uint32_t kPurposeWithin = 0xb0000000u;   ///< words z, w: places 
 constexpr std::uint32_t kPurposePaths = 0xd0000000u;    ///< + set: word y orders its light paths
 constexpr std::uint32_t kPurposeScreen =
     0xe0000000u;  ///< of pixel 0: what a whole image has in common; x, y, z: shifts and keys, w: spare
+constexpr std::uint32_t kWithinFactor = 0x9e3779b1u;  ///< makes of the word that chose a set a place in cells
 
 inline std::array<std::uint32_t, 4> set_words(std::uint32_t seed, std::uint32_t pixel,
                                               std::uint32_t dimension, std::uint32_t purpose = kPurposeSet) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "points/ensemble.h"
@@ -41,9 +42,10 @@ class DomainSampler : public Sampler {
       : Sampler(name, count, seed, parts) {}
 
   /// Which set, and turned how: bits of flips as ScreenMask::keys has them; the cylinder goes round by turn /
-  /// 2^32.
+  /// 2^32; shift: of the points in their cells, a digital one.
   struct Choice {
     std::uint32_t set, flips, turn;
+    FixedPoint shift;
   };
   std::uint32_t place_in_order(std::uint32_t index, std::uint32_t count, std::uint32_t stride,
                                std::uint32_t dimension, std::uint32_t key) const override;
@@ -53,8 +55,9 @@ class DomainSampler : public Sampler {
   virtual std::uint32_t set_points() const { return count(); }
   /// The sets, each with its cells in the order that places number.
   virtual Ensemble ordered_sets(EnsembleDomain domain) const;
-  /// A number of a place in its set, so that near numbers are near each other.
-  virtual std::uint32_t near_place(std::uint32_t place) const { return place; }
+  /// Which point of the net each of a set's cells has: near numbers for near cells.
+  virtual std::vector<std::uint32_t> net_numbers(std::span<const std::uint32_t> cells,
+                                                 std::uint32_t columns) const;
   /// The place in its set of the point at place `index` of the order.
   virtual std::uint32_t turned(std::uint32_t pixel, std::uint32_t index, std::uint32_t dimension) const;
   virtual Choice choose(std::uint32_t pixel, std::uint32_t dimension, SampleDomain domain,
@@ -63,9 +66,11 @@ class DomainSampler : public Sampler {
   static std::vector<SampleDomain> in_table_order(const std::vector<SampleDomain>& domains);
 
  private:
-  /// A cell in 0.32 fixed point: its low corner and its size.
+  /// A cell of the grid: column | row << 16; where in it the set's net has its point, the upper 16 bits of x
+  /// and y << 16; and in 0.32 fixed point the size of a column and of a row, which are all alike (rounded
+  /// down: the last count / 2^32 of a side is never hit).
   struct Cell {
-    std::uint32_t x, y, width, height;
+    std::uint32_t at = 0, within = 0, width = 0, height = 0;
   };
   struct Sets {
     std::uint32_t sets = 1;
@@ -74,7 +79,7 @@ class DomainSampler : public Sampler {
   };
 
   Sets make_sets(EnsembleDomain domain) const;
-  static void append(const Sets& sets, SamplerTables& result);
+  void append(const Sets& sets, SamplerTables& result) const;
   const Sets& sets_in(SampleDomain domain) const;
 
   mutable std::array<std::once_flag, 3> once_;

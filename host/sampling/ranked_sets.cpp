@@ -28,7 +28,11 @@ class RankedSampler final : public DomainSampler {
   Ensemble ordered_sets(EnsembleDomain domain) const override {
     return stored_ranked_sets(set_points(), domain);
   }
-  std::uint32_t near_place(std::uint32_t place) const override { return place_of_rank(place, set_points()); }
+  std::vector<std::uint32_t> net_numbers(std::span<const std::uint32_t> cells, std::uint32_t) const override {
+    std::vector<std::uint32_t> number(cells.size());
+    for (std::uint32_t k = 0; k < cells.size(); ++k) number[k] = place_of_rank(k, set_points());
+    return number;
+  }
   /// Parts are points that follow each other, as of any sequence.
   std::uint32_t dealt_parts() const override { return 1; }
   /// A random digital shift of the ranks: blocks stay blocks, and every sample any of the set's points.

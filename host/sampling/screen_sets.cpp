@@ -20,7 +20,7 @@ class ScreenSampler final : public DomainSampler {
   /// After the cells the masks, eight keys a texel.
   SamplerTables tables(const std::vector<SampleDomain>& domains) const override {
     SamplerTables result = DomainSampler::tables(domains);
-    result.id = layout::kSamplerCapconScreen;
+    result.id = layout::kSamplerCapconScreen | (result.id & layout::kSamplerInParts);
     result.constants[2] = dealt_parts() << 16;  // where the third word is a stride, there are no parts
     result.constants[3] = (result.constants[3] & 0xffff0000u) | (width_ & 0xffffu);
     for (const SampleDomain d : in_table_order(domains)) {
@@ -36,14 +36,15 @@ class ScreenSampler final : public DomainSampler {
 
  protected:
   Choice choose(std::uint32_t pixel, std::uint32_t dimension, SampleDomain domain,
-                std::uint32_t) const override {
+                std::uint32_t sets) const override {
     const ScreenMask& mask = mask_in(domain);
     // The whole image's mask is shifted at random, in every pair elsewhere.
     const auto image = set_words(seed(), 0, dimension, kPurposeScreen);
     const std::uint32_t x = width_ > 0 ? pixel % width_ : pixel, y = width_ > 0 ? pixel / width_ : 0;
     const std::uint32_t key = mask.keys[((x + image[1]) & (ScreenMask::kColumns - 1)) +
                                         ScreenMask::kColumns * ((y + (image[2] >> 16)) % mask.rows)];
-    return {key >> 3, key & 7, (key >> 1 & 3) * 0x40000000u + image[3]};
+    return {key >> 3, key & 7, (key >> 1 & 3) * 0x40000000u + image[3],
+            DomainSampler::choose(pixel, dimension, domain, sets).shift};
   }
 
  private:

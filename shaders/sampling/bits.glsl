@@ -75,9 +75,3 @@ uint matched_rank(uint index, uint points, bool one) {
   }
   return result;
 }
-
-uint place_of_rank(uint rank, uint points) {
-  bool large = points > 256u;
-  uint four = (rank & 1u) << 3u | (uint(bitCount(rank & (large ? 31u : 15u))) & 1u) << 2u | (rank & 2u) | (uint(bitCount(rank & 10u)) & 1u);
-  return large ? (four << 1u | (rank >> 2u & 1u)) * 32u + (rank >> 5u) : four * 16u + (rank >> 4u);
-}

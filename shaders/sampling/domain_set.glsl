@@ -1,7 +1,7 @@
 // Sets of an ensemble in the integral's own domain (host/sampling/domain_sets.cpp). words: sets of the disk, sets of the square,
 // -, parts | sets of the cylinder << 16 (0: no table of that domain). Table, first of the disk, then of the square and the
-// cylinder: a cell a texel, its low corner and its size, set by set; with parts, the place in its set of each point, part by part,
-// four to a texel.
+// cylinder: a cell a texel, set by set, each set with room for a power of two of cells: its column and row, where in it the set's net has its point, and the size of a column
+// and of a row; with parts, the place in its set of each point, part by part, four to a texel.
 // kSamplerCapconRanked has sets of 256 or 1,024 points of which the first are taken (host/sampling/ranked_sets.cpp).
 // kSamplerCapconScreen has the image's width in place of the parts, which are the upper half of the third word, and after all
 // cells the masks of the same domains: eight keys a texel.
@@ -24,55 +24,70 @@ uint mask_texels(uint sets) {
   return sets > 0u ? 8u * least * ((63u + least) / least) : 0u;
 }
 
+// The least power of two that is not less; at most 4,096 points.
+uint set_stride(uint count) {
+  uint mask = max(count, 1u) - 1u;
+  mask |= mask >> 1u;
+  mask |= mask >> 2u;
+  mask |= mask >> 4u;
+  mask |= mask >> 8u;
+  return mask + 1u;
+}
 
 uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint index, uint dimension,
                         uint domain) {
   uvec4 keys = set_words(seed, pixel, dimension, kPurposeSet);
-  uvec4 within = set_words(seed, pixel, dimension, kPurposeWithin);
   bool screen = kSampler == kSamplerCapconScreen;
-  uint parts = screen ? words.z >> 16u : words.w & 0xffffu;
   bool disk = domain == kDomainDisk;
   bool cylinder = domain == kDomainCylinder;
   uint round_sets = words.w >> 16u;
   uint sets = disk ? words.x : cylinder ? round_sets : words.y;
-  uint split = parts > 1u ? 1u : 0u;
-  bool ranked = kSampler == kSamplerCapconRanked;
-  if (ranked) {
+  if (kSampler == kSamplerCapconRanked) {
     count = ranked_set_points(count);
     index ^= set_words(seed, pixel, dimension, kPurposeParts).w & (count - 1u);
   }
-  uint disk_texels = words.x * count + split * ((words.x * count + 3u) >> 2u);
-  uint square_texels = words.y * count + split * ((words.y * count + 3u) >> 2u);
+  uint split = kInParts ? 1u : 0u;
+  uint stride = set_stride(count);
+  uint disk_texels = words.x * stride + split * ((words.x * stride + 3u) >> 2u);
+  uint square_texels = words.y * stride + split * ((words.y * stride + 3u) >> 2u);
   uint before = disk ? 0u : disk_texels + (cylinder ? square_texels : 0u);
-  uint set = multiply_high(keys.w, sets);
-  uint flips = cylinder ? within.y : keys.y;
-  uint turn = keys.y;
+  // The table is waited for, the more so the later its address is known: of the hash's words y is done before w, and of the set's
+  // number times the stride, which is a power of two, no product is taken.
+  uint set = multiply_high(keys.y, sets * stride) & (0u - stride);
+  // The symmetry is a word's highest bits (the lowest are those of other purposes' w, too), the first shift its others; the set is
+  // another's highest, the second shift all of its.
+  uint flips = keys.w >> 29u;
+  uint turn = keys.w;
+  uvec2 key = uvec2(keys.w << 3u, keys.y * kWithinFactor);
+  if (cylinder) {
+    uvec4 within = set_words(seed, pixel, dimension, kPurposeWithin);
+    flips = within.y;
+    key = within.zw;
+  }
   if (screen) {
     uvec4 image = set_words(seed, 0u, dimension, kPurposeScreen);
-    uint masks = disk_texels + square_texels + round_sets * count + split * ((round_sets * count + 3u) >> 2u);
+    uint masks = disk_texels + square_texels + round_sets * stride + split * ((round_sets * stride + 3u) >> 2u);
     uint mask = masks + (disk ? 0u : mask_texels(words.x) + (cylinder ? mask_texels(words.y) : 0u));
-    uint key = screen_key(mask, sets, words.w & 0xffffu, pixel, image);
-    set = key >> 3u;
-    flips = key;
-    turn = ((key >> 1u) & 3u) * 0x40000000u + image.w;
+    uint screen = screen_key(mask, sets, words.w & 0xffffu, pixel, image);
+    set = (screen >> 3u) * stride;
+    flips = screen;
+    turn = ((screen >> 1u) & 3u) * 0x40000000u + image.w;
   }
-  set *= count;
   uint place = index;
-  if (parts > 1u) {
+  if (kInParts) {
     // Which part comes first is random; then the table has the places in the set's own order.
+    uint parts = screen ? words.z >> 16u : words.w & 0xffffu;
     uint first = set_words(seed, pixel, dimension, kPurposeParts).w;
-    place += count / parts * multiply_high(first, parts);
+    place += divide(count, parts) * multiply_high(first, parts);
     place -= place >= count ? count : 0u;
-    uvec4 four = FETCH(sampler_texels, before + sets * count + ((set + place) >> 2u));
+    uvec4 four = FETCH(sampler_texels, before + sets * stride + ((set + place) >> 2u));
     uint select = (set + place) & 3u;
     place = select == 0u ? four.x : select == 1u ? four.y : select == 2u ? four.z : four.w;
   }
   uvec4 cell = FETCH(sampler_texels, before + set + place);
-  // Where in its cell: an Owen-scrambled net over the set's order.
-  uint near = ranked ? place_of_rank(place, count) : place;
-  uint u = bitfieldReverse(owen_scramble_reversed(near, within.z));
-  uint v = bitfieldReverse(owen_scramble_reversed(sobol_second_reversed(near), within.w));
-  uvec2 p = cell.xy + uvec2(multiply_high(u, cell.z), multiply_high(v, cell.w));
+  // Where in its cell: the net over the set's order, under a random digital shift.
+  uvec2 in_cell = uvec2(cell.y << 16u, cell.y & 0xffff0000u) ^ key;
+  uvec2 p = uvec2(cell.x & 0xffffu, cell.x >> 16u) * cell.zw + uvec2(multiply_high(in_cell.x, cell.z), multiply_high(in_cell.y, cell.w));
   if (cylinder) return uvec2(p.x + turn, (flips & 1u) != 0u ? ~p.y : p.y);
   // The square's eight symmetries, which the concentric map makes the disk's: either coordinate from the other side, and the two
   // exchanged.

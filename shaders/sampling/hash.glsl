@@ -22,6 +22,7 @@ const uint kPurposeWithin = 0xb0000000u;
 const uint kPurposeFiner = 0xc0000000u;
 const uint kPurposePaths = 0xd0000000u;
 const uint kPurposeScreen = 0xe0000000u;
+const uint kWithinFactor = 0x9e3779b1u;
 
 uvec4 set_words(uint seed, uint pixel, uint dimension, uint purpose) {
   return pcg4d(uvec4(pixel, purpose, dimension, seed));

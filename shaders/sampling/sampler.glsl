@@ -1,5 +1,7 @@
 // Where a 2D point comes from. One file a sampler; the specialisation constant leaves the others out of the kernel.
-layout(constant_id = kSpecSampler) const uint kSampler = kSamplerRandom;
+layout(constant_id = kSpecSampler) const uint kSamplerVariant = kSamplerRandom;
+const uint kSampler = kSamplerVariant & 0xffu;
+const bool kInParts = (kSamplerVariant & kSamplerInParts) != 0u;
 DATA_TEXELS(kBindSampler, sampler_texels);
 
 #include "sampling/hash.glsl"
