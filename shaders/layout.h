@@ -35,7 +35,7 @@ CAPCON_CONST kSamplerCapconScreen = 9u;
 CAPCON_CONST kSamplerSobolZ = 10u;
 CAPCON_CONST kSamplerCapconRanked = 11u;
 CAPCON_CONST kSamplerCapconBounded = 8u;
-CAPCON_CONST kSamplerInParts = 0x100u;  // or: sets of capcon-domain and capcon-screen whose table has an order of parts
+CAPCON_CONST kSamplerInParts = 0x100u;  // or: of sets of capcon-domain and capcon-screen, which come in parts
 
 // Domains of an integral's points: SampleDomain of host/sampling/sampler.h.
 CAPCON_CONST kDomainSquare = 0u;

@@ -74,8 +74,7 @@ class DomainSampler : public Sampler {
   };
   struct Sets {
     std::uint32_t sets = 1;
-    std::vector<Cell> cells;           ///< set by set
-    std::vector<std::uint32_t> order;  ///< with parts: [set * count + index]: place in the set, part by part
+    std::vector<Cell> cells;  ///< set by set, part by part
   };
 
   Sets make_sets(EnsembleDomain domain) const;

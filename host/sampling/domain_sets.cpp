@@ -61,7 +61,7 @@ Ensemble DomainSampler::ordered_sets(EnsembleDomain domain) const {
 
 DomainSampler::Sets DomainSampler::make_sets(EnsembleDomain domain) const {
   const Ensemble e = ordered_sets(domain);
-  Sets result{e.sets, {}, {}};
+  Sets result{e.sets, {}};
   result.cells.reserve(e.cells.size());
   for (std::uint32_t set = 0; set < e.sets; ++set) {
     // Where in its cell: a net, Owen-scrambled once a set, so that neighbours' places in their cells balance.
@@ -76,12 +76,12 @@ DomainSampler::Sets DomainSampler::make_sets(EnsembleDomain domain) const {
     }
   }
   if (dealt_parts() == 1) return result;
+  // Part by part, each in an order of regions of its own; the net is the whole set's.
   Ensemble dealt = stored_parts(e, domain, dealt_parts());
   order_each(dealt, split().points);
-  std::vector<std::uint32_t> place(e.cells.size());  // of each cell, which is in one set
-  for (std::size_t k = 0; k < e.cells.size(); ++k)
-    place[e.cells[k]] = static_cast<std::uint32_t>(k % count());
-  for (const std::uint32_t cell : dealt.cells) result.order.push_back(place[cell]);
+  std::vector<Cell> by_number(e.cells.size());
+  for (std::size_t k = 0; k < e.cells.size(); ++k) by_number[e.cells[k]] = result.cells[k];
+  for (std::size_t k = 0; k < e.cells.size(); ++k) result.cells[k] = by_number[dealt.cells[k]];
   return result;
 }
 
@@ -102,10 +102,7 @@ FixedPoint DomainSampler::point(std::uint32_t pixel, std::uint32_t index, std::u
                                 SampleDomain domain) const {
   const Sets& sets = sets_in(domain);
   const Choice choice = choose(pixel, dimension, domain, sets.sets);
-  const std::size_t set = std::size_t(choice.set) * set_points();
-  const std::uint32_t at = turned(pixel, index, dimension),
-                      place = sets.order.empty() ? at : sets.order[set + at];
-  const Cell& cell = sets.cells[set + place];
+  const Cell& cell = sets.cells[std::size_t(choice.set) * set_points() + turned(pixel, index, dimension)];
   // The net, shifted at random: each point is uniform in its cell, which is all that unbiasedness needs.
   const std::uint32_t u = (cell.within << 16) ^ choice.shift.x,
                       v = (cell.within & 0xffff0000u) ^ choice.shift.y;
@@ -160,19 +157,15 @@ SamplerTables DomainSampler::tables(const std::vector<SampleDomain>& domains) co
   return result;
 }
 
-/// The cells, and with parts the order, four words a texel; each set with room for a power of two.
+/// Each set with room for a power of two.
 void DomainSampler::append(const Sets& sets, SamplerTables& result) const {
-  const std::size_t points = set_points(), stride = std::bit_ceil(points), slots = sets.sets * stride;
-  const auto has = [&](std::size_t slot) { return slot < slots && slot % stride < points; };
-  const auto number = [&](std::size_t slot) { return slot / stride * points + slot % stride; };
-  for (std::size_t k = 0; k < slots; ++k) {
-    const Cell c = has(k) ? sets.cells[number(k)] : Cell{};
-    result.texels.emplace_back(c.at, c.within, c.width, c.height);
+  const std::size_t points = set_points(), room = std::bit_ceil(points);
+  for (std::size_t set = 0; set < sets.sets; ++set) {
+    for (std::size_t k = 0; k < room; ++k) {
+      const Cell c = k < points ? sets.cells[set * points + k] : Cell{};
+      result.texels.emplace_back(c.at, c.within, c.width, c.height);
+    }
   }
-  if (sets.order.empty()) return;
-  const auto word = [&](std::size_t slot) { return has(slot) ? sets.order[number(slot)] : 0; };
-  for (std::size_t k = 0; k < slots; k += 4)
-    result.texels.emplace_back(word(k), word(k + 1), word(k + 2), word(k + 3));
 }
 
 /// A part alone leaves out most cells of its set: which part comes first is random, so that each is unbiased.

@@ -1,7 +1,7 @@
 // Sets of an ensemble in the integral's own domain (host/sampling/domain_sets.cpp). words: sets of the disk, sets of the square,
 // -, parts | sets of the cylinder << 16 (0: no table of that domain). Table, first of the disk, then of the square and the
-// cylinder: a cell a texel, set by set, each set with room for a power of two of cells: its column and row, where in it the set's net has its point, and the size of a column
-// and of a row; with parts, the place in its set of each point, part by part, four to a texel.
+// cylinder: a cell a texel, set by set, each with room for a power of two of them, and part by part: its column and row, where in
+// it the set's net has its point, and the size of a column and of a row.
 // kSamplerCapconRanked has sets of 256 or 1,024 points of which the first are taken (host/sampling/ranked_sets.cpp).
 // kSamplerCapconScreen has the image's width in place of the parts, which are the upper half of the third word, and after all
 // cells the masks of the same domains: eight keys a texel.
@@ -46,10 +46,9 @@ uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint ind
     count = ranked_set_points(count);
     index ^= set_words(seed, pixel, dimension, kPurposeParts).w & (count - 1u);
   }
-  uint split = kInParts ? 1u : 0u;
   uint stride = set_stride(count);
-  uint disk_texels = words.x * stride + split * ((words.x * stride + 3u) >> 2u);
-  uint square_texels = words.y * stride + split * ((words.y * stride + 3u) >> 2u);
+  uint disk_texels = words.x * stride;
+  uint square_texels = words.y * stride;
   uint before = disk ? 0u : disk_texels + (cylinder ? square_texels : 0u);
   // The table is waited for, the more so the later its address is known: of the hash's words y is done before w, and of the set's
   // number times the stride, which is a power of two, no product is taken.
@@ -66,7 +65,7 @@ uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint ind
   }
   if (screen) {
     uvec4 image = set_words(seed, 0u, dimension, kPurposeScreen);
-    uint masks = disk_texels + square_texels + round_sets * stride + split * ((round_sets * stride + 3u) >> 2u);
+    uint masks = disk_texels + square_texels + round_sets * stride;
     uint mask = masks + (disk ? 0u : mask_texels(words.x) + (cylinder ? mask_texels(words.y) : 0u));
     uint screen = screen_key(mask, sets, words.w & 0xffffu, pixel, image);
     set = (screen >> 3u) * stride;
@@ -75,14 +74,11 @@ uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint ind
   }
   uint place = index;
   if (kInParts) {
-    // Which part comes first is random; then the table has the places in the set's own order.
+    // Which part comes first is random.
     uint parts = screen ? words.z >> 16u : words.w & 0xffffu;
     uint first = set_words(seed, pixel, dimension, kPurposeParts).w;
     place += divide(count, parts) * multiply_high(first, parts);
     place -= place >= count ? count : 0u;
-    uvec4 four = FETCH(sampler_texels, before + sets * stride + ((set + place) >> 2u));
-    uint select = (set + place) & 3u;
-    place = select == 0u ? four.x : select == 1u ? four.y : select == 2u ? four.z : four.w;
   }
   uvec4 cell = FETCH(sampler_texels, before + set + place);
   // Where in its cell: the net over the set's order, under a random digital shift.
