@@ -49,6 +49,7 @@ void Pass::submit(const gpu::Kernel& kernel, const void* push, std::uint32_t gro
     batches_.took(kernel, std::uint64_t(groups) * layout::kGroupSize, time.seconds);
   }
   result_.timings.wall[stage] += seconds_since(start);
+  if (on_progress_) on_progress_(fraction_);
 }
 
 void Pass::put(std::size_t value, double sum, double more, const SampleShare& share, std::uint32_t samples) {
@@ -63,7 +64,8 @@ void Pass::put(std::size_t value, double sum, double more, const SampleShare& sh
 
 void Pass::progress(double lanes, double all) {
   done_ += lanes;
-  if (on_progress_) on_progress_(done_ / all);
+  fraction_ = done_ / all;
+  if (on_progress_) on_progress_(fraction_);
 }
 
 glm::uvec4 Pass::words(const SamplerTables& t) {

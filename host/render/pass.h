@@ -47,7 +47,8 @@ class Pass {
   void primary(const gpu::Kernel& kernel, const SamplerTables& tables, bool jittered, std::uint32_t seed,
                std::uint32_t count, std::uint32_t sample_index);
 
-  /// Runs a kernel and waits; its time counts for `stage`, and for the size of its batches.
+  /// Runs a kernel and waits; its time counts for `stage`, and for the size of its batches. Then the caller
+  /// is told how far the job is, who may throw.
   void submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups, const std::string& stage);
 
   /// A value of the image: the mean over a pixel's samples, `sum` over their number, and `more`. Of a share
@@ -70,7 +71,7 @@ class Pass {
   Batches batches_;
 
  private:
-  double done_ = 0;
+  double done_ = 0, fraction_ = 0;
 };
 
 /// Three numbers as floats and the bits of a word, for push constants.

@@ -25,7 +25,8 @@ class Renderer {
   Renderer(const Scene& scene, const RendererOptions& options, PendingDevice device, const Job* first);
   ~Renderer();
 
-  /// `on_progress(fraction)` is called between batches. Same job, same device: same bits.
+  /// `on_progress(fraction)` is called after every dispatch, so several times a second; what it throws ends
+  /// the job, and the renderer is ready for the next. Same job, same device: same bits.
   RenderResult render(const Job& job, const std::function<void(double)>& on_progress = {});
 
   /// Rows first_row ... first_row + rows - 1 alone, the same bits as in the whole image: for images that are

@@ -24,6 +24,9 @@ constexpr std::uint32_t kLeastGroups = 4;       // of the reference before anyth
 constexpr std::uint32_t kMostGroups = 16;       // it grows meanwhile
 constexpr std::uint32_t kReferenceCount = 256;  // of each group
 
+/// Thrown through a render that nobody wants any more.
+struct Cancelled {};
+
 double device_seconds(const Timings& timings) {
   double sum = 0;
   for (const auto& [stage, s] : timings.device) sum += s;
@@ -50,7 +53,9 @@ Tracer open_tracer(Settings& s) {
   if (tracer.height > 1024) throw InputError("the film is too high for its width: choose a smaller width");
   if (s.device == "reference") {
     auto reference = std::make_shared<Reference>(*scene);
-    tracer.render = [scene, reference](const Job& job) { return reference->render(job); };
+    tracer.render = [scene, reference](const Job& job, const Tracer::OnProgress& told) {
+      return reference->render(job, told);
+    };
     return tracer;
   }
   RendererOptions options;
@@ -58,7 +63,9 @@ Tracer open_tracer(Settings& s) {
   options.shading = needs_shading(first);
   auto renderer = std::make_shared<Renderer>(*scene, options);
   tracer.device = renderer->device_info().value("name", s.device);
-  tracer.render = [scene, renderer](const Job& job) { return renderer->render(job); };
+  tracer.render = [scene, renderer](const Job& job, const Tracer::OnProgress& told) {
+    return renderer->render(job, told);
+  };
   return tracer;
 }
 
@@ -76,6 +83,9 @@ bool Comparison::step() {
   if (cancelled_) return false;
   try {
     work();
+  } catch (const Cancelled&) {
+    tracer_.reset();
+    return false;
   } catch (const std::exception& error) {
     const std::lock_guard lock(mutex_);
     state_ = "failed";
@@ -110,12 +120,19 @@ void Comparison::work() {
   state_ = "done";
 }
 
+RenderResult Comparison::render(const Job& job) {
+  fraction_ = 0;
+  return tracer_->render(job, [this](double fraction) {
+    if (cancelled_) throw Cancelled();
+    fraction_ = fraction;
+  });
+}
+
 void Comparison::reference_group() {
   const bool sets = settings_.integrator == "igi";
-  const Image image = tracer_
-                          ->render(make_job(settings_, kReferenceSampler, sets ? 32 : kReferenceCount,
-                                            kReferenceSeed + groups_))
-                          .image;
+  const Image image =
+      render(make_job(settings_, kReferenceSampler, sets ? 32 : kReferenceCount, kReferenceSeed + groups_))
+          .image;
   const std::lock_guard lock(mutex_);
   const std::size_t n = image.pixels.size();
   sum_.resize(n);
@@ -146,10 +163,9 @@ Comparison::Series* Comparison::next_series() {
 
 void Comparison::frame(Series& series) {
   const std::uint32_t count = series.cells[series.next].count;
-  if (!series.warm)
-    tracer_->render(make_job(settings_, series.sampler, count, 0));  // compiles: does not count
+  if (!series.warm) render(make_job(settings_, series.sampler, count, 0));  // compiles: does not count
   series.warm = true;
-  RenderResult result = tracer_->render(make_job(settings_, series.sampler, count, series.seed));
+  RenderResult result = render(make_job(settings_, series.sampler, count, series.seed));
   Frame f;
   f.seconds = device_seconds(result.timings);
   f.rays = static_cast<double>(result.rays);
@@ -187,6 +203,7 @@ ordered_json Comparison::snapshot() const {
   ordered_json out = {{"id", id_},
                       {"state", cancelled_ ? "cancelled" : state_},
                       {"message", message_},
+                      {"part", fraction_.load()},
                       {"device", device_},
                       {"width", width_},
                       {"height", height_},
@@ -195,6 +212,7 @@ ordered_json Comparison::snapshot() const {
   double error = 0;
   for (const double v : reference_variance_) error += v;
   out["reference"] = {{"groups", groups_},
+                      {"least", kLeastGroups},
                       {"of", kMostGroups},
                       {"mse", reference_variance_.empty() ? 0 : error / double(reference_variance_.size())}};
   std::uint32_t common = std::numeric_limits<std::uint32_t>::max();  // largest count that all have

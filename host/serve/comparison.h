@@ -17,7 +17,9 @@ namespace capcon::serve {
 
 /// Renders jobs of one scene at one size.
 struct Tracer {
-  std::function<RenderResult(const Job&)> render;
+  /// Is told how far the job is, several times a second (the reference: after its rows); may throw to end it.
+  using OnProgress = std::function<void(double)>;
+  std::function<RenderResult(const Job&, const OnProgress&)> render;
   std::string device;  ///< its own name
   int width = 0, height = 0;
 };
@@ -47,6 +49,7 @@ class Comparison {
 
   /// Renders one frame, or one group of the reference; false when all is done, cancelled or failed.
   bool step();
+  /// A render under way ends after its next dispatch.
   void cancel() { cancelled_ = true; }
   bool cancelled() const { return cancelled_; }
   const std::string& id() const { return id_; }
@@ -67,6 +70,7 @@ class Comparison {
     bool warm = false;
   };
   void work();
+  RenderResult render(const Job& job);
   void reference_group();
   void frame(Series& series);
   Series* next_series();
@@ -76,6 +80,7 @@ class Comparison {
   Settings settings_;
   std::optional<Tracer> tracer_;  // of the working thread alone
   std::atomic<bool> cancelled_ = false;
+  std::atomic<double> fraction_ = 0;  // that is done of the render under way
 
   mutable std::mutex mutex_;  // of all below
   std::string state_ = "waiting", message_;

@@ -6,6 +6,10 @@ Hub::Hub(std::chrono::milliseconds patience)
     : patience_(patience), thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 Hub::~Hub() {
+  {
+    const std::lock_guard lock(mutex_);
+    for (Entry& entry : entries_) entry.comparison->cancel();
+  }
   thread_.request_stop();
   changed_.notify_all();
 }

@@ -1,5 +1,6 @@
 // Instant global illumination on the device: the reference's image with the same virtual lights, whatever way
 // they are used.
+#include "base/error.h"
 #include "render/lit_rooms.h"
 
 namespace capcon {
@@ -70,6 +71,32 @@ TEST_F(GlobalIllumination, BlocksOfPixelsShareTheSetsOut) {
   job.sets = 9;
   job.block = 3;
   agree("blocks of three", job, 1e-4, 2);
+}
+
+// It is called after every dispatch, compensation's too, each time with at least what it said before.
+TEST_F(GlobalIllumination, WhatTheCallerThrowsEndsTheJobAndTheNextHasTheSameBits) {
+  const GlobalIlluminationJob job = room_job();
+  int calls = 0;
+  double last = 0;
+  const Image whole = renderer_
+                          ->render(job,
+                                   [&](double fraction) {
+                                     ++calls;
+                                     EXPECT_GE(fraction, last);
+                                     last = fraction;
+                                   })
+                          .image;
+  EXPECT_NEAR(last, 1, 0.1) << "sets have about as many lights";
+  ASSERT_GT(calls, 10);
+  for (const int at : {1, calls / 2, calls}) {
+    int call = 0;
+    const auto thrower = [&](double) {
+      if (++call == at) throw Failure("enough");
+    };
+    EXPECT_THROW(renderer_->render(job, thrower), Failure) << at;
+    EXPECT_EQ(call, at) << "and then no more";
+  }
+  EXPECT_EQ(renderer_->render(job).image.pixels, whole.pixels);
 }
 
 // Rows rendered apart are cut differently into bands and pieces.

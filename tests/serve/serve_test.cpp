@@ -1,80 +1,24 @@
+// Requests, and the comparisons that they start.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <malloc.h>
 
-#include <cstring>
-#include <filesystem>
-#include <limits>
+#include <chrono>
 #include <set>
-#include <thread>
 
-#include "browser/browser.h"
 #include "cli/process.h"
 #include "image/compare.h"
 #include "serve/answer.h"
-#include "serve/server.h"
+#include "serve/served.h"
 
 namespace capcon {
 namespace {
 
 using nlohmann::json;
-using testing::Browser;
-
-const std::string kScene = CAPCON_SOURCE_DIR "/scenes/courtyard.pbrt";
-
-/// Lamp, floor and ball: what is held of it is small beside what a leak would add up to.
-std::string small_scene(const testing::Folder& folder) {
-  return folder.write("small.pbrt",
-                      "LookAt 0 -4 3 0 0 .5 0 0 1\nCamera \"perspective\" \"float fov\" 40\n"
-                      "Film \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 12\nWorldBegin\n"
-                      "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [5 5 4]\nTranslate .5 0 2\n"
-                      "Rotate 180 1 0 0\nShape \"disk\" \"float radius\" .6\nAttributeEnd\n"
-                      "Material \"diffuse\" \"rgb reflectance\" [.6 .4 .3]\nShape \"trianglemesh\" "
-                      "\"point3 P\" [-2 -2 0 2 -2 0 2 2 0 -2 2 0] \"integer indices\" [0 1 2 0 2 3]\n"
-                      "Shape \"sphere\" \"float radius\" .5\n");
-}
-
-/// A server on a free port, for one test.
-class Served {
- public:
-  explicit Served(int patience = 15000, const std::string& scene = kScene)
-      : server_({0, "lavapipe", serve::offered_scenes(scene), patience}),
-        thread_([this] { server_.run(); }) {}
-  ~Served() { server_.stop(); }
-  int port() const { return server_.port(); }
-  std::string url() const { return "http://127.0.0.1:" + std::to_string(port()) + "/"; }
-  httplib::Client client() const {
-    httplib::Client client("127.0.0.1", port());
-    client.set_read_timeout(20);
-    return client;
-  }
-  httplib::Result start(json body, const httplib::Headers& headers = {}) const {
-    return client().Post("/api/start", headers, body.dump(), "application/json");
-  }
-
- private:
-  serve::Server server_;
-  std::jthread thread_;
-};
-
-json small(const std::string& client = "me") {
-  return {{"client", client},
-          {"samplers", {"random", "sobol-owen"}},
-          {"width", 32},
-          {"frame_seconds", 0.02},
-          {"radius", 2}};
-}
-
-json snapshot_when(const Served& served, const std::string& id,
-                   const std::function<bool(const json&)>& there) {
-  json s;
-  for (int i = 0; i < 6000; ++i) {
-    s = json::parse(served.client().Get("/api/comparison?client=me&id=" + id)->body);
-    if (there(s) || s.value("state", "") == "failed") return s;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return s;
-}
+using testing::image_of;
+using testing::Served;
+using testing::small;
+using testing::small_scene;
+using testing::snapshot_when;
 
 TEST(Serve, PagesAndSetupAreThere) {
   const Served served;
@@ -148,15 +92,8 @@ TEST(Serve, TheCommandLineShownMakesTheSameBits) {
   });
   ASSERT_TRUE(s["series"][0].contains("shown")) << s.dump(1);
   const json& shown = s["series"][0]["shown"];
-  const auto r = served.client().Get("/api/image?client=me&id=" + id +
-                                     "&sampler=random&count=" + std::to_string(shown["count"].get<int>()));
-  ASSERT_EQ(r->status, 200);
-  std::uint32_t head[3];
-  std::memcpy(head, r->body.data(), sizeof head);
-  const auto [width, height, channels] = head;
-  Image image{static_cast<int>(width), static_cast<int>(height), static_cast<int>(channels)};
-  ASSERT_EQ(r->body.size(), 12 + image.pixels.size() * 4);
-  std::memcpy(image.pixels.data(), r->body.data() + 12, image.pixels.size() * 4);
+  const Image image = image_of(served, id, "random", shown["count"]);
+  ASSERT_FALSE(image.pixels.empty());
   std::string command = shown["command"];
   const testing::Folder folder;
   ASSERT_TRUE(command.starts_with("capcon render"));
@@ -165,17 +102,17 @@ TEST(Serve, TheCommandLineShownMakesTheSameBits) {
   EXPECT_EQ(compare(read_exr(folder / "a.exr"), image).max_difference, 0);
 }
 
-// With equal samples. (Light paths take long to compile and have no test of their own here.)
-TEST(Serve, DirectLightIsComparedWithAndWithoutSplits) {
+// Light paths are the page's test.
+TEST(Serve, EqualSamplesAreEqualForOcclusionAndDirectLightWithAndWithoutSplits) {
   const testing::Folder folder;
   const Served served(15000, small_scene(folder));
-  for (const auto& [integrator, split] : {std::pair("direct", 1), {"direct", 4}}) {
+  for (const auto& [integrator, split] : {std::pair("ao", 1), {"direct", 1}, {"direct", 4}}) {
     json body = small();
     body["integrator"] = integrator;
     body["split"] = split;
     body["mode"] = "equal-samples";
     body["frame_seconds"] = 0.01;
-    body.erase("radius");
+    if (integrator == std::string("direct")) body.erase("radius");
     const auto started = served.start(body);
     ASSERT_EQ(started->status, 201) << integrator << ": " << started->body;
     const std::string id = json::parse(started->body).at("id");
@@ -218,6 +155,41 @@ TEST(Serve, TenClientsAtOnceAndABoundedNumberOfComparisons) {
   }
 }
 
+// How long the render would go on follows from the part that was done in the time until then.
+TEST(Serve, ACancelledRenderEndsAtItsNextDispatchAndARestartHasTheSameBits) {
+  using Clock = std::chrono::steady_clock;
+  const auto seconds_since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  const testing::Folder folder;
+  const Served served(15000, small_scene(folder));
+  const auto first_image = [&] {
+    const std::string id = json::parse(served.start(small())->body).at("id");
+    snapshot_when(served, id,
+                  [](const json& s) { return s.contains("series") && s["series"][0].contains("shown"); });
+    return image_of(served, id, "random", 1);
+  };
+  const Image before = first_image();
+  ASSERT_FALSE(before.pixels.empty());
+  json heavy = small();
+  heavy.update({{"integrator", "igi"}, {"width", 640}, {"frame_seconds", 60}});
+  heavy.erase("radius");
+  const std::string id = json::parse(served.start(heavy)->body).at("id");
+  // The first part, in which kernels are compiled too, does not tell how long a part takes.
+  double part = snapshot_when(served, id, [](const json& s) { return s.value("part", 0.0) > 0.001; })["part"];
+  const auto begun = Clock::now();
+  const double more = snapshot_when(served, id, [&](const json& s) {
+    return s.value("part", 0.0) > part && seconds_since(begun) > 0.3;
+  })["part"];
+  ASSERT_GT(more, part);
+  const double left = (1 - more) * seconds_since(begun) / (more - part);
+  ASSERT_GT(left, 10) << "the setting is not heavy enough for this test";
+  const auto cancelled = Clock::now();
+  const Image after = first_image();
+  EXPECT_LT(seconds_since(cancelled), left / 4);
+  EXPECT_EQ(after.pixels, before.pixels);
+}
+
 TEST(Serve, AComparisonThatNobodyLooksAtIsDropped) {
   const Served served(200);
   const std::string id = json::parse(served.start(small())->body).at("id");
@@ -227,48 +199,6 @@ TEST(Serve, AComparisonThatNobodyLooksAtIsDropped) {
     status = served.client().Get("/api/comparison?client=stranger&id=" + id)->status;
   }
   EXPECT_EQ(status, 404);
-}
-
-/// Threads, open files and resident pages of this process.
-std::array<long, 3> held() {
-  const auto entries = [](const char* folder) {
-    return std::distance(std::filesystem::directory_iterator(folder), {});
-  };
-  long size = 0, resident = 0;
-  std::ifstream("/proc/self/statm") >> size >> resident;
-  return {entries("/proc/self/task"), entries("/proc/self/fd"), resident};
-}
-
-TEST(Serve, HoldsNothingAfterManyStartsAndCancels) {
-  const testing::Folder folder;
-  const Served served(15000, small_scene(folder));
-  const auto turn = [&](int i) {
-    json body = small();
-    body["width"] = 16 + i % 20;
-    ASSERT_EQ(served.start(body)->status, 201);
-    served.client().Get("/page.js");
-    if (i % 7 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(60));
-    ASSERT_EQ(served.client().Post("/api/leave?client=me")->status, 200);
-  };
-  const auto settled = [] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
-    ::malloc_trim(0);  // what the heap keeps for later is no leak
-    return held();
-  };
-  for (int i = 0; i < 40; ++i) turn(i);
-  const auto first = settled();
-  // What is kept once (a device's caches, heaps of threads) comes some time; a leak grows in every window.
-  long least = std::numeric_limits<long>::max(), before = first[2];
-  auto last = first;
-  for (int window = 0; window < 3; ++window) {
-    for (int i = 0; i < 80; ++i) turn(i);
-    last = settled();
-    least = std::min(least, last[2] - before);
-    before = last[2];
-  }
-  EXPECT_LE(last[0], first[0] + 4);
-  EXPECT_LE(last[1], first[1] + 8);
-  EXPECT_LE(least, 6 * 256) << "pages of 4 KiB: 6 MiB";
 }
 
 TEST(Serve, SaysWhatIsDecidedAndWhatIsNot) {
@@ -306,87 +236,6 @@ TEST(ServeVerb, SaysItsAddressAndThatAPortIsTaken) {
   const auto end = process.end(SIGINT);
   EXPECT_EQ(end.exit_code, 130);
   EXPECT_THAT(json::parse(end.out).at("url").get<std::string>(), ::testing::StartsWith("http://127.0.0.1:"));
-}
-
-TEST(ServePage, LoadsRendersSwitchesSamplerAndWipes) {
-  if (!Browser::available()) GTEST_SKIP() << "no /usr/bin/chromedriver and chromium";
-  const char* pictures =
-      std::getenv("CAPCON_PICTURES");  // a folder: the README's picture is taken, which takes longer
-  const testing::Folder folder;
-  const Served served(15000, pictures ? kScene : small_scene(folder));
-  Browser browser(1280, 1000);
-  browser.open(served.url());
-  ASSERT_TRUE(browser.wait_for("document.querySelectorAll('#samplers input').length > 5"));
-  if (!pictures) {
-    browser.run(
-        "document.getElementById('width').value = '120'; document.getElementById('frame').value = '0.05'");
-    browser.click("#start");
-  }
-  ASSERT_TRUE(browser.wait_for("document.getElementById('view').dataset.drawn", 120))
-      << browser.run("return document.body.innerText");
-  ASSERT_TRUE(browser.wait_for("document.querySelectorAll('#chart circle').length >= 6", 120));
-  if (pictures) {
-    EXPECT_TRUE(
-        browser.wait_for("/^At/.test(document.getElementById('answer').textContent) && !/not "
-                         "known/.test(document.getElementById('answer').textContent) && "
-                         "state.snapshot.series.every(s => s.cells.at(-1).seeds >= 2)",
-                         300));
-    browser.run(
-        "document.getElementById('left').value = 'random'; document.getElementById('right').value = "
-        "'capcon-domain'; fetchImages()");
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    browser.screenshot(std::string(pictures) + "/serve.png");
-  } else {
-    EXPECT_TRUE(
-        browser.wait_for("document.querySelector('#table code').textContent.startsWith('capcon render ')"));
-  }
-  const auto seen = [&] {  // a checksum of what the canvas shows
-    return browser.run(
-        "const v = document.getElementById('view'); return v.getContext('2d').getImageData(0, 0, v.width, "
-        "v.height).data.reduce((sum, x) => (sum * 31 + x) >>> 0, 7)");
-  };
-  const json before = seen();
-  browser.run("const w = document.getElementById('wipe'); w.value = 5; w.oninput()");
-  EXPECT_NE(seen(), before);  // the right image is there now
-  // Exposure, false colour and zoom change what is seen; the value under the cursor does not depend on them.
-  const auto value_at_middle = [&] {
-    browser.run(
-        "const v = document.getElementById('view'), r = v.getBoundingClientRect(); v.dispatchEvent(new "
-        "PointerEvent('pointermove', {clientX: r.left + r.width / 2, clientY: r.top + r.height / 2, bubbles: "
-        "true}))");
-    return browser.run("return document.getElementById('value').textContent").get<std::string>();
-  };
-  const std::string value = value_at_middle();
-  EXPECT_THAT(value, ::testing::ContainsRegex("[0-9]"));
-  for (const char* change :
-       {"const e = document.getElementById('exposure'); e.value = -2; e.oninput()",
-        "const e = document.getElementById('error'); e.checked = true; e.oninput()",
-        "const e = document.getElementById('error'); e.checked = false; e.oninput(); const z = "
-        "document.getElementById('zoom'); z.value = 4; z.oninput()"}) {
-    const json last = seen();
-    browser.run(change);
-    EXPECT_NE(seen(), last) << change;
-  }
-  browser.run(
-      "const z = document.getElementById('zoom'); z.value = 1; z.oninput(); const e = "
-      "document.getElementById('exposure'); e.value = 0; e.oninput()");
-  EXPECT_EQ(value_at_middle(), value);
-  browser.run("document.getElementById('view').focus()");
-  browser.keys("#view", "\uE014");  // the right arrow
-  EXPECT_EQ(browser.run("return +document.getElementById('wipe').value"), 7);
-  browser.run("const l = document.getElementById('left'); l.value = 'reference'; l.onchange()");
-  EXPECT_TRUE(browser.wait_for("document.getElementById('view').dataset.drawn.startsWith('reference,')"));
-  browser.click("#samplers input[value=halton]");
-  browser.click("#start");
-  EXPECT_TRUE(browser.wait_for(
-      "[...document.querySelectorAll('#table td')].some(c => c.textContent === 'halton')", 120));
-  EXPECT_TRUE(browser.wait_for(
-      "state.snapshot.series.length === 4 && document.querySelectorAll('#chart circle').length >= 4", 120));
-  browser.click("#cancel");
-  EXPECT_TRUE(browser.wait_for("document.getElementById('status').textContent === 'Stopped.'"));
-  browser.resize(500, 900);
-  EXPECT_EQ(browser.run("return document.documentElement.scrollWidth <= innerWidth"), true);
-  EXPECT_THAT(browser.errors(), ::testing::IsEmpty());
 }
 
 }  // namespace
