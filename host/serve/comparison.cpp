@@ -1,6 +1,9 @@
 #include "serve/comparison.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -19,10 +22,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::uint32_t kSeeds = 32;            // then all is said
-constexpr std::uint32_t kLeastGroups = 4;       // of the reference before anything is measured
-constexpr std::uint32_t kMostGroups = 16;       // it grows meanwhile
-constexpr std::uint32_t kReferenceCount = 256;  // of each group
+constexpr std::uint32_t kSeeds = 32;       // then all is said
+constexpr std::uint32_t kLeastGroups = 4;  // of the reference before anything is measured; it grows meanwhile
+constexpr double kBeyond = 1.1;            // of the frame time: curves must reach past it
+constexpr double kElsewhere = 0.25;        // of the time at the frame time goes to the rest of a curve
 
 /// Thrown through a render that nobody wants any more.
 struct Cancelled {};
@@ -48,7 +51,8 @@ Tracer open_tracer(Settings& s) {
   const Job first = make_job(s, s.samplers.front(), first_count(s), 1);
   auto scene = std::make_shared<Scene>(read_scene(s.scene.file, needed_reading(first, false)));
   set_film(*scene, s.width, s.height, 0);
-  if (s.integrator == "ao" && s.radius == 0) s.radius = default_radius(*scene);
+  if (s.integrator == "ao" && s.radius == 0)  // as it is shown, and stands in commands
+    s.radius = std::stod(fmt::format("{:.4g}", default_radius(*scene)));
   Tracer tracer{{}, s.device, scene->film.width, scene->film.height};
   if (tracer.height > 1024) throw InputError("the film is too high for its width: choose a smaller width");
   if (s.device == "reference") {
@@ -114,8 +118,9 @@ void Comparison::work() {
   }
   std::uint32_t frames = 0;  // only this thread writes what is read here
   for (const Series& series : series_) frames += series.frames;
-  if (groups_ < kLeastGroups || (groups_ < kMostGroups && frames > groups_ * 12)) return reference_group();
-  if (Series* series = next_series()) return frame(*series);
+  if (group_count_ == 0) return choose_groups();
+  if (groups_ < kLeastGroups || (groups_ < most_groups_ && frames > groups_ * 12)) return reference_group();
+  if (Series* series = next_series()) return frame(*series, *next_cell(*series));
   const std::lock_guard lock(mutex_);
   state_ = "done";
 }
@@ -128,11 +133,27 @@ RenderResult Comparison::render(const Job& job) {
   });
 }
 
+/// A group of the reference takes about the frame time, so that the first answer does not wait for it: fewer
+/// samples than the full number where that takes long, and more groups.
+void Comparison::choose_groups() {
+  const std::uint32_t full = settings_.integrator == "igi" ? 32 : 256;
+  std::uint32_t count = first_count(settings_);
+  render(make_job(settings_, kReferenceSampler, count, 0));  // compiles
+  for (; count < full; count = std::min(4 * count, full)) {
+    const double seconds = device_seconds(render(make_job(settings_, kReferenceSampler, count, 0)).timings);
+    if (seconds < settings_.frame_seconds / 32) continue;
+    const double fitting = count * std::max(1.0, settings_.frame_seconds / seconds);
+    count = std::min(full, std::bit_floor(static_cast<std::uint32_t>(fitting)));
+    break;
+  }
+  const std::lock_guard lock(mutex_);
+  group_count_ = count;
+  most_groups_ = kMostGroups * (full / count);
+}
+
 void Comparison::reference_group() {
-  const bool sets = settings_.integrator == "igi";
   const Image image =
-      render(make_job(settings_, kReferenceSampler, sets ? 32 : kReferenceCount, kReferenceSeed + groups_))
-          .image;
+      render(make_job(settings_, kReferenceSampler, group_count_, kReferenceSeed + groups_)).image;
   const std::lock_guard lock(mutex_);
   const std::size_t n = image.pixels.size();
   sum_.resize(n);
@@ -154,18 +175,34 @@ void Comparison::reference_group() {
 Comparison::Series* Comparison::next_series() {
   Series* least = nullptr;
   const auto used = [&](const Series& s) { return settings_.equal_time ? s.spent : double(s.frames); };
-  for (Series& series : series_) {
-    if (series.seed > kSeeds) continue;
-    if (!least || used(series) < used(*least)) least = &series;
-  }
+  for (Series& series : series_)
+    if (next_cell(series) && (!least || used(series) < used(*least))) least = &series;
   return least;
 }
 
-void Comparison::frame(Series& series) {
-  const std::uint32_t count = series.cells[series.next].count;
-  if (!series.warm) render(make_job(settings_, series.sampler, count, 0));  // compiles: does not count
+/// Counts double until a frame takes longer than the time that is asked about. In equal time the cells around
+/// that then get most of the time, since the answer is theirs, and the rest of the curve follows.
+Cell* Comparison::next_cell(Series& series) {
+  for (Cell& cell : series.cells)
+    if (cell.frames.empty()) return &cell;
+  const std::size_t needed = settings_.equal_time ? first_needed(series.cells, settings_.frame_seconds) : 0;
+  double here = 0, elsewhere = 0;
+  Cell *at = nullptr, *rest = nullptr;
+  for (std::size_t i = 0; i < series.cells.size(); ++i) {
+    Cell& cell = series.cells[i];
+    for (const Frame& f : cell.frames) (i < needed ? elsewhere : here) += f.seconds;
+    Cell*& fewest = i < needed ? rest : at;
+    if (cell.frames.size() < kSeeds && (!fewest || cell.frames.size() < fewest->frames.size()))
+      fewest = &cell;
+  }
+  return rest && (!at || elsewhere < kElsewhere * here) ? rest : at;
+}
+
+void Comparison::frame(Series& series, Cell& cell) {
+  const auto seed = static_cast<std::uint32_t>(cell.frames.size() + 1);
+  if (!series.warm) render(make_job(settings_, series.sampler, cell.count, 0));  // compiles: does not count
   series.warm = true;
-  RenderResult result = render(make_job(settings_, series.sampler, count, series.seed));
+  RenderResult result = render(make_job(settings_, series.sampler, cell.count, seed));
   Frame f;
   f.seconds = device_seconds(result.timings);
   f.rays = static_cast<double>(result.rays);
@@ -178,24 +215,27 @@ void Comparison::frame(Series& series) {
   f.mse /= static_cast<double>(result.image.pixels.size());
   f.relmse /= static_cast<double>(result.image.pixels.size());
   const std::lock_guard lock(mutex_);
-  Cell& cell = series.cells[series.next];
   cell.frames.push_back(f);
-  if (series.seed == 1) cell.first = std::move(result.image);
+  if (seed == 1) cell.first = std::move(result.image);
   series.spent += f.seconds;
   ++series.frames;
-  advance(series);
+  const Cell& last = series.cells.back();
+  if (!last.frames.empty() && last.count * 2 <= largest_count(settings_, series.sampler) &&
+      mean_seconds(last) < kBeyond * settings_.frame_seconds)
+    series.cells.push_back({last.count * 2, {}, {}});
 }
 
-/// With the first seed counts double until a frame takes well over the time that is asked about, so that
-/// curves reach beyond it; the others follow.
-void Comparison::advance(Series& series) {
-  const Cell& cell = series.cells[series.next];
-  if (series.seed == 1 && cell.count * 2 <= largest_count(settings_, series.sampler) &&
-      cell.frames.back().seconds < 1.5 * settings_.frame_seconds)
-    series.cells.push_back({cell.count * 2, {}, {}});
-  if (++series.next < series.cells.size()) return;
-  series.next = 0;
-  ++series.seed;
+/// The frame time that is asked about, or that of the most samples where no sampler takes as long.
+double Comparison::asked() const {
+  double least = settings_.frame_seconds;
+  for (const Series& s : series_) {
+    const Cell& last = s.cells.back();
+    if (last.frames.empty() || last.count * 2 <= largest_count(settings_, s.sampler) ||
+        mean_seconds(last) >= settings_.frame_seconds)
+      return settings_.frame_seconds;
+    least = std::min(least, mean_seconds(last));
+  }
+  return least;
 }
 
 ordered_json Comparison::snapshot() const {
@@ -213,7 +253,8 @@ ordered_json Comparison::snapshot() const {
   for (const double v : reference_variance_) error += v;
   out["reference"] = {{"groups", groups_},
                       {"least", kLeastGroups},
-                      {"of", kMostGroups},
+                      {"of", most_groups_},
+                      {"count", group_count_},
                       {"mse", reference_variance_.empty() ? 0 : error / double(reference_variance_.size())}};
   std::uint32_t common = std::numeric_limits<std::uint32_t>::max();  // largest count that all have
   for (const Series& s : series_) {
@@ -254,7 +295,8 @@ ordered_json Comparison::snapshot() const {
     out["series"].push_back(std::move(one));
     curves.push_back({s.sampler, &s.cells});
   }
-  out["answer"] = answer(curves, settings_.frame_seconds, device_);
+  out["answer"] = answer(curves, asked(), device_);
+  out["frame_seconds"] = settings_.frame_seconds;
   return out;
 }
 

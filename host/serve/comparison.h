@@ -60,21 +60,22 @@ class Comparison {
   std::optional<Image> image(const std::string& sampler, std::uint32_t count) const;
 
  private:
+  static constexpr std::uint32_t kMostGroups = 16;  // of the reference, where they are of full size
   struct Series {
     std::string sampler;
     std::vector<Cell> cells;  ///< by rising count
-    std::size_t next = 0;     ///< the cell of the next frame
-    std::uint32_t seed = 1;   ///< and its seed
     double spent = 0;         ///< device seconds
     std::uint32_t frames = 0;
     bool warm = false;
   };
   void work();
   RenderResult render(const Job& job);
+  void choose_groups();
   void reference_group();
-  void frame(Series& series);
+  void frame(Series& series, Cell& cell);
   Series* next_series();
-  void advance(Series& series);
+  Cell* next_cell(Series& series);
+  double asked() const;
 
   const std::string id_;
   Settings settings_;
@@ -88,7 +89,7 @@ class Comparison {
   int width_ = 0, height_ = 0;
   std::vector<Series> series_;
   std::vector<double> sum_, squares_;  // of the reference's groups
-  std::uint32_t groups_ = 0;
+  std::uint32_t groups_ = 0, group_count_ = 0, most_groups_ = kMostGroups;
   Image reference_;
   std::vector<double> reference_variance_;  // of each value of reference_
 };

@@ -24,7 +24,7 @@ TEST(ServePage, LoadsRendersSwitchesSamplerAndWipes) {
       std::getenv("CAPCON_PICTURES");  // a folder: the README's picture is taken, which takes longer
   const testing::Folder folder;
   const Served served(15000, pictures ? kScene : small_scene(folder));
-  Browser browser(1280, 1000);
+  Browser browser(1280, pictures ? 1240 : 1000);
   browser.open(served.url());
   ASSERT_TRUE(browser.wait_for("document.querySelectorAll('#samplers input').length > 5"));
   if (!pictures) {
@@ -37,10 +37,9 @@ TEST(ServePage, LoadsRendersSwitchesSamplerAndWipes) {
   ASSERT_TRUE(browser.wait_for("document.querySelectorAll('#chart circle').length >= 6", 120));
   if (pictures) {
     EXPECT_TRUE(
-        browser.wait_for("/^At/.test(document.getElementById('answer').textContent) && !/not "
-                         "known/.test(document.getElementById('answer').textContent) && "
-                         "state.snapshot.series.every(s => s.cells.at(-1).seeds >= 2)",
-                         300));
+        browser.wait_for("state.snapshot.answer.best && / by ([8-9]|[1-3][0-9]) seeds/.test("
+                         "state.snapshot.answer.text)",
+                         400));
     browser.run(
         "document.getElementById('left').value = 'random'; document.getElementById('right').value = "
         "'capcon-domain'; fetchImages()");

@@ -21,20 +21,20 @@ function settings() {
   return s;
 }
 
-function say(text, bad) { $('answer').textContent = text; $('answer').classList.toggle('bad', !!bad); }
+function say(headline, text, bad) { $('headline').textContent = headline; $('text').textContent = text; $('answer').classList.toggle('bad', !!bad); }
 
 async function start(event) {
   if (event) event.preventDefault();
   const run = ++state.run;
   state.id = null; state.snapshot = null; state.images.clear();
-  say('Starting …');
+  say('Starting …', '');
   try {
     const answer = await ask('api/start', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(settings()) });
     if (run !== state.run) return;
     state.id = answer.id;
     fillSides();
     poll(run);
-  } catch (error) { if (run === state.run) say('Not started: ' + error.message + '.', true); }
+  } catch (error) { if (run === state.run) say('Not started', error.message + '.', true); }
 }
 function leave() { return fetch('api/leave?client=' + client, { method: 'POST', keepalive: true }); }
 async function stop() {
@@ -58,7 +58,7 @@ async function poll(run) {
 
 function fillSides() {
   const names = [...chosen(), 'reference'];
-  for (const [id, index] of [['left', 0], ['right', 1]]) {
+  for (const [id, index] of [['left', 0], ['right', names.length - 2]]) {
     const before = $(id).value;
     $(id).replaceChildren(...names.map((name) => new Option(name, name)));
     $(id).value = names.includes(before) ? before : names[index];
@@ -68,20 +68,31 @@ function fillSides() {
 
 function show() {
   const s = state.snapshot;
-  if (s.state === 'failed') return say(s.message, true);
-  const words = { waiting: 'Waiting for the device.', opening: 'Reading the scene.', running: 'Measuring', done: 'All is measured' }[s.state] || s.state;
-  $('status').textContent = s.width ? `${words} · ${s.scene}, ${s.width} × ${s.height}` + ($('integrator').value === 'ao' ? `, radius ${+s.radius.toPrecision(4)}` : '') +
-    ` · ${s.device} · reference ${s.reference.groups} of ${s.reference.of} groups, its own MSE ${s.reference.mse.toExponential(1)} is taken off` : words;
-  say(s.answer.text);
+  if (s.state === 'failed') return say('It cannot be done', s.message, true);
+  const of = s.reference, first = of.groups < of.least, sets = $('integrator').value === 'igi' ? 'sets' : 'samples';
+  const words = { waiting: 'Waiting for the device', opening: 'Reading the scene', done: 'All is measured', cancelled: 'Stopped' }[s.state] || 'Measuring';
+  const facts = [words];
+  if (s.width) facts.push(`${s.scene}, ${s.width} × ${s.height}` + ($('integrator').value === 'ao' ? `, radius ${+s.radius.toPrecision(4)}` : ''), s.device);
+  if (of.groups > 1) facts.push(`reference of ${of.groups * of.count} ${sets}, its own MSE ${of.mse.toExponential(1)} is taken off`);
+  $('status').textContent = facts.join(' · ');
+  if (s.state === 'running' && first) {
+    const part = of.count ? Math.min(.99, (of.groups + Math.min(1, s.part)) / of.least) : 0;
+    say('Not known yet.', `First a reference is rendered, which errors are told from: ${Math.round(100 * part)} %.`);
+  } else if (!s.width) say(words + ' …', '');
+  else {
+    const least = s.answer.seconds < s.frame_seconds ? `The most samples take no ${s.frame_seconds} s here, but ${s.answer.seconds.toPrecision(2)} s. ` : '';
+    say(s.answer.headline, least + s.answer.text);
+  }
   chart();
   table();
 }
 
 function table() {
+  const what = $('integrator').value === 'igi' ? 'set' : 'sample';
   const rows = state.snapshot.series.map((one) => {
     const row = document.createElement('tr');
     const command = one.shown ? one.shown.command : '';
-    for (const text of [one.sampler, one.frames, one.device_seconds.toFixed(1) + ' s', (one.rays_per_second / 1e6).toFixed(2), one.shown ? one.shown.count + (state.snapshot.answer && $('integrator').value === 'igi' ? ' sets' : ' samples') : '…']) {
+    for (const text of [one.sampler, one.frames, one.device_seconds.toFixed(1) + ' s', (one.rays_per_second / 1e6).toFixed(2), one.shown ? `${one.shown.count} ${what}${one.shown.count > 1 ? 's' : ''}` : '…']) {
       const cell = document.createElement('td'); cell.textContent = text; row.append(cell);
     }
     const cell = document.createElement('td'), code = document.createElement('code'); code.textContent = command; cell.append(code); row.append(cell);
@@ -114,15 +125,15 @@ function chart() {
     const x = (v) => box.l + (Math.log10(v) - x0) / (x1 - x0) * (box.r - box.l), y = (v) => box.b - (Math.log10(v) - y0) / (y1 - y0) * (box.b - box.t);
     for (let d = Math.ceil(x0); d <= x1; ++d) parts.push(svg('line', { class: 'grid', x1: x(10 ** d), x2: x(10 ** d), y1: box.t, y2: box.b }), svg('text', { x: x(10 ** d), y: box.b + 17, 'text-anchor': 'middle' }, d >= -3 ? String(+(10 ** d).toPrecision(1)) : '1e' + d));
     for (let d = Math.ceil(y0); d <= y1; ++d) parts.push(svg('line', { class: 'grid', y1: y(10 ** d), y2: y(10 ** d), x1: box.l, x2: box.r }), svg('text', { x: box.l - 6, y: y(10 ** d) + 4, 'text-anchor': 'end' }, '1e' + d));
-    parts.push(svg('line', { class: 'frame', x1: x(frame), x2: x(frame), y1: box.t, y2: box.b }), svg('text', { x: x(frame) - 4, y: box.t + 11, 'text-anchor': 'end' }, frame + ' s a frame'));
+    parts.push(svg('line', { class: 'frame', x1: x(frame), x2: x(frame), y1: box.t, y2: box.b }), svg('text', { x: x(frame) - 4, y: box.t + 11, 'text-anchor': 'end' }, +frame.toPrecision(2) + ' s a frame'));
     parts.push(svg('text', { x: (box.l + box.r) / 2, y: 350, 'text-anchor': 'middle' }, 'device seconds a frame'));
     series.forEach((s, i) => {
       const cells = (s.cells || []).filter((c) => c[measure].value > 0);
-      parts.push(svg('polyline', { points: cells.map((c) => x(c.seconds) + ',' + y(c[measure].value)).join(' '), fill: 'none', stroke: kColours[i], 'stroke-width': 2 }));
+      parts.push(svg('polyline', { points: cells.map((c) => x(c.seconds) + ',' + y(c[measure].value)).join(' '), fill: 'none', stroke: kColours[i], 'stroke-width': 1.5 }));
       for (const c of cells) {
         const e = c[measure];
-        if (e.low > 0 && e.high) parts.push(svg('line', { x1: x(c.seconds), x2: x(c.seconds), y1: Math.min(box.b, y(e.low)), y2: Math.max(box.t, y(e.high)), stroke: kColours[i] }));
-        const dot = svg('circle', { cx: x(c.seconds), cy: y(e.value), r: 5, fill: kColours[i] });
+        if (e.low > 0 && e.high) parts.push(svg('line', { x1: x(c.seconds), x2: x(c.seconds), y1: Math.min(box.b, y(e.low)), y2: Math.max(box.t, y(e.high)), stroke: kColours[i], 'stroke-width': 2 }));
+        const dot = svg('circle', { cx: x(c.seconds), cy: y(e.value), r: 4, fill: kColours[i] });
         dot.append(svg('title', {}, s.sampler + ', ' + c.count));
         dot.onpointerenter = () => { $('hover').textContent = `${s.sampler}, ${c.count} a pixel: ${measure === 'mse' ? 'MSE' : 'relMSE'} ${e.value.toExponential(2)}` + (e.low !== null ? ` (95 %: ${e.low.toExponential(2)} to ${e.high.toExponential(2)})` : ' (no interval yet)') + `, ${c.seconds.toPrecision(3)} s a frame, ${(c.rays_per_second / 1e6).toFixed(2)} million rays/s, ${c.seeds} seeds`; };
         parts.push(dot);
@@ -184,9 +195,12 @@ function draw() {
   };
   paint(left, 0, split); paint(right, split, view.width);
   g.fillStyle = '#fff'; g.fillRect(split - 1, 0, 3, view.height);
-  g.font = `${Math.round(view.width / 40)}px sans-serif`; g.shadowColor = '#000'; g.shadowBlur = 6;
-  g.textAlign = 'left'; g.fillText($('left').value, 10, view.height - 12);
-  g.textAlign = 'right'; g.fillText($('right').value, view.width - 10, view.height - 12);
+  g.font = `${Math.round(view.width / 40)}px sans-serif`;
+  for (const [id, right] of [['left', false], ['right', true]]) {  // on a ground of their own: images are white in places
+    const text = $(id).value, wide = g.measureText(text).width + 16, high = view.width / 26, x = right ? view.width - wide - 6 : 6, y = view.height - high - 6;
+    g.fillStyle = '#000a'; g.fillRect(x, y, wide, high);
+    g.fillStyle = '#fff'; g.textBaseline = 'middle'; g.fillText(text, x + 8, y + high / 2);
+  }
   view.dataset.drawn = [$('left').value, $('right').value, $('wipe').value].join();
 }
 function place(event) {
@@ -245,4 +259,4 @@ addEventListener('pagehide', leave);
   }));
   $('status').textContent = 'Ready.';
   start();
-})().catch((error) => say(error.message, true));
+})().catch((error) => say('Not started', error.message, true));
