@@ -48,20 +48,27 @@ std::vector<std::size_t> up_to(std::size_t n) {
   return all;
 }
 
-/// `statistic(means, extrapolate)`: what is inside with all seeds may lie outside without one of them.
-Interval over_seeds(const Curve& curve, double seconds,
-                    const std::function<double(const Means&, bool)>& statistic) {
-  const std::size_t seeds = common_seeds(curve, seconds);
-  if (seeds == 0) return {kNone, kNone, kNone};
-  const double value = statistic(means(curve, up_to(seeds)), false);
-  if (seeds < 2 || !std::isfinite(value)) return {value, kNone, kNone};
-  return jackknife(seeds, [&](auto indices) { return statistic(means(curve, indices), true); });
+double log_error(const Means& m, double seconds, bool beyond) {
+  return std::log(log_log_interpolate(m.seconds, m.relmse, seconds, beyond));
 }
 
-Interval log_error_at(const Curve& curve, double seconds) {
-  return over_seeds(curve, seconds, [&](const Means& m, bool beyond) {
-    return std::log(log_log_interpolate(m.seconds, m.relmse, seconds, beyond));
-  });
+/// `statistic(seeds, beyond)` of the first `seeds`; what is inside with all of them may lie beyond the curve
+/// without one.
+Interval over_seeds(std::size_t seeds,
+                    const std::function<double(std::span<const std::size_t>, bool)>& statistic) {
+  if (seeds == 0) return {kNone, kNone, kNone};
+  const double value = statistic(up_to(seeds), false);
+  if (seeds < 2 || !std::isfinite(value)) return {value, kNone, kNone};
+  return jackknife(seeds, [&](auto indices) { return statistic(indices, true); });
+}
+
+/// Of two curves together: their frames of one seed were rendered at about the same time, and what held up
+/// both cancels out.
+Interval over_seeds(const Curve& a, const Curve& b, double seconds,
+                    const std::function<double(const Means&, const Means&, bool)>& statistic) {
+  return exp(over_seeds(
+      std::min(common_seeds(a, seconds), common_seeds(b, seconds)),
+      [&](auto seeds, bool beyond) { return statistic(means(a, seeds), means(b, seeds), beyond); }));
 }
 
 nlohmann::ordered_json to_json(const Interval& i) {
@@ -100,20 +107,22 @@ std::size_t first_needed(const std::vector<Cell>& cells, double seconds) {
 }
 
 Interval relmse_at(const Curve& curve, double seconds) {
-  return exp(log_error_at(curve, seconds));
+  return exp(over_seeds(common_seeds(curve, seconds), [&](auto seeds, bool beyond) {
+    return log_error(means(curve, seeds), seconds, beyond);
+  }));
+}
+
+Interval error_ratio(const Curve& curve, const Curve& other, double seconds) {
+  return over_seeds(curve, other, seconds, [&](const Means& mine, const Means& theirs, bool beyond) {
+    return log_error(theirs, seconds, beyond) - log_error(mine, seconds, beyond);
+  });
 }
 
 Interval time_ratio(const Curve& curve, const Curve& other, double seconds) {
-  const Interval error = log_error_at(curve, seconds);
-  const Interval theirs = over_seeds(other, seconds, [&](const Means& m, bool beyond) {
-    return std::log(log_log_interpolate(m.relmse, m.seconds, std::exp(error.value), beyond));
+  return over_seeds(curve, other, seconds, [&](const Means& mine, const Means& theirs, bool beyond) {
+    const double error = std::exp(log_error(mine, seconds, beyond));
+    return std::log(log_log_interpolate(theirs.relmse, theirs.seconds, error, beyond) / seconds);
   });
-  // The first curve's own uncertainty, carried over to time by the slope of the other's.
-  const Means m = means(other, up_to(common_seeds(other, seconds)));
-  const double slope = log_log_slope(m.relmse, m.seconds);
-  const double mine = std::abs(slope) * (error.high - error.low) / 2, its = (theirs.high - theirs.low) / 2;
-  const double value = theirs.value - std::log(seconds), half = std::hypot(mine, its);
-  return exp(Interval{value, value - half, value + half});
 }
 
 nlohmann::ordered_json answer(const std::vector<Curve>& curves, double seconds, const std::string& device) {
@@ -124,12 +133,11 @@ nlohmann::ordered_json answer(const std::vector<Curve>& curves, double seconds, 
     const Interval error = relmse_at(curve, seconds);
     out["relmse"][curve.sampler] = to_json(error);
     if (std::isfinite(error.value) && std::isfinite(error.low)) order.emplace_back(error, &curve);
-    errors.emplace_back(error.value, curve.sampler);
+    errors.emplace_back(std::isfinite(error.value) ? error.value : 0, curve.sampler);
   }
   std::sort(errors.begin(), errors.end());
-  const bool all = std::all_of(errors.begin(), errors.end(), [](const auto& e) { return e.first > 0; });
   const std::string so_far =
-      all && errors.size() > 1
+      errors.size() > 1 && errors.front().first > 0
           ? fmt::format(" So far {} errs least and {} {:.2g} times as much.", errors.front().second,
                         errors[1].second, errors[1].first / errors.front().first)
           : "";
@@ -145,17 +153,16 @@ nlohmann::ordered_json answer(const std::vector<Curve>& curves, double seconds, 
   const Interval error = order.front().first;
   std::vector<std::string> words, open = {best.sampler};
   for (std::size_t i = 1; i < order.size(); ++i) {
-    const Interval ratio = time_ratio(best, *order[i].second, seconds);
-    const std::string& name = order[i].second->sampler;
-    out["time_ratio"][name] = to_json(ratio);
-    const bool apart = order[i].first.low > error.high;  // of errors: also where no time was long enough
-    const bool measured = std::isfinite(ratio.low);
-    if (!(measured && ratio.low > 1) && !apart) open.push_back(name);
-    if (measured && (ratio.low > 1 || !apart))
-      words.push_back(fmt::format("{} needs {:.2f} ({:.2f} to {:.2f}) times the time for it", name,
-                                  ratio.value, ratio.low, ratio.high));
-    else
-      words.push_back(fmt::format("{} errs {:.2g} times as much", name, order[i].first.value / error.value));
+    const Curve& other = *order[i].second;
+    const Interval errs = error_ratio(best, other, seconds), needs = time_ratio(best, other, seconds);
+    out["error_ratio"][other.sampler] = to_json(errs);
+    out["time_ratio"][other.sampler] = to_json(needs);
+    if (!(errs.low > 1)) open.push_back(other.sampler);
+    words.push_back(fmt::format("{} errs {:.2f} ({:.2f} to {:.2f}) times as much", other.sampler, errs.value,
+                                errs.low, errs.high));
+    if (std::isfinite(needs.low))
+      words.back() += fmt::format(" and needs {:.2f} ({:.2f} to {:.2f}) times the time for the same",
+                                  needs.value, needs.low, needs.high);
   }
   const bool decided = open.size() == 1;
   out["best"] = best.sampler;

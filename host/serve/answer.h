@@ -26,12 +26,15 @@ std::size_t first_needed(const std::vector<Cell>& cells, double seconds);
 /// count with what they have. NaN where the curve does not reach there, or with NaN ends where there are
 /// fewer than two such seeds.
 Interval relmse_at(const Curve& curve, double seconds);
-/// How much longer `other` takes than `curve` for the relMSE that this has in `seconds`. Both independent:
-/// squares of half widths of logarithms add up. NaN as above.
+/// How many times `other` errs as much in `seconds` as `curve` does: the jackknife over seeds of both
+/// together.
+Interval error_ratio(const Curve& curve, const Curve& other, double seconds);
+/// How much longer `other` takes for the relMSE that `curve` has in `seconds`, likewise. NaN where it was not
+/// measured for that long.
 Interval time_ratio(const Curve& curve, const Curve& other, double seconds);
 
 /// Which sampler to use in `seconds` a frame: "headline" in a few words, "text" with figures. "decided" only
-/// where its interval of time ratios to each other sampler excludes 1.
+/// where the intervals of all other samplers' error ratios lie above 1.
 nlohmann::ordered_json answer(const std::vector<Curve>& curves, double seconds, const std::string& device);
 
 }  // namespace capcon::serve

@@ -22,10 +22,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::uint32_t kSeeds = 32;       // then all is said
-constexpr std::uint32_t kLeastGroups = 4;  // of the reference before anything is measured; it grows meanwhile
-constexpr double kBeyond = 1.1;            // of the frame time: curves must reach past it
-constexpr double kElsewhere = 0.25;        // of the time at the frame time goes to the rest of a curve
+constexpr std::uint32_t kSeeds = 32;  // then all is said
+constexpr double kBeyond = 1.1;       // of the frame time: curves must reach past it
+constexpr double kElsewhere = 0.25;   // of the time at the frame time goes to the rest of a curve
 
 /// Thrown through a render that nobody wants any more.
 struct Cancelled {};
@@ -119,7 +118,8 @@ void Comparison::work() {
   std::uint32_t frames = 0;  // only this thread writes what is read here
   for (const Series& series : series_) frames += series.frames;
   if (group_count_ == 0) return choose_groups();
-  if (groups_ < kLeastGroups || (groups_ < most_groups_ && frames > groups_ * 12)) return reference_group();
+  if (groups_ < least_groups_ || (groups_ < most_groups_ && frames > groups_ * frames_a_group_))
+    return reference_group();
   if (Series* series = next_series()) return frame(*series, *next_cell(*series));
   const std::lock_guard lock(mutex_);
   state_ = "done";
@@ -149,6 +149,9 @@ void Comparison::choose_groups() {
   const std::lock_guard lock(mutex_);
   group_count_ = count;
   most_groups_ = kMostGroups * (full / count);
+  frames_a_group_ = std::max(3u, 12 * count / full);
+  // Pixels lit by the same paths err together: more groups until their spread says how much.
+  if (settings_.integrator == "igi") least_groups_ = 8;
 }
 
 void Comparison::reference_group() {
@@ -252,7 +255,7 @@ ordered_json Comparison::snapshot() const {
   double error = 0;
   for (const double v : reference_variance_) error += v;
   out["reference"] = {{"groups", groups_},
-                      {"least", kLeastGroups},
+                      {"least", least_groups_},
                       {"of", most_groups_},
                       {"count", group_count_},
                       {"mse", reference_variance_.empty() ? 0 : error / double(reference_variance_.size())}};

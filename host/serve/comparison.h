@@ -90,6 +90,8 @@ class Comparison {
   std::vector<Series> series_;
   std::vector<double> sum_, squares_;  // of the reference's groups
   std::uint32_t groups_ = 0, group_count_ = 0, most_groups_ = kMostGroups;
+  std::uint32_t least_groups_ = 4;     // before anything is measured
+  std::uint32_t frames_a_group_ = 12;  // it grows meanwhile, one group every so many frames
   Image reference_;
   std::vector<double> reference_variance_;  // of each value of reference_
 };

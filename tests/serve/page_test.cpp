@@ -14,7 +14,6 @@ namespace {
 
 using nlohmann::json;
 using testing::Browser;
-using testing::kScene;
 using testing::Served;
 using testing::small_scene;
 
@@ -23,7 +22,8 @@ TEST(ServePage, LoadsRendersSwitchesSamplerAndWipes) {
   const char* pictures =
       std::getenv("CAPCON_PICTURES");  // a folder: the README's picture is taken, which takes longer
   const testing::Folder folder;
-  const Served served(15000, pictures ? kScene : small_scene(folder));
+  // From the root of the sources: a picture shows no machine's folders.
+  const Served served(15000, pictures ? "scenes/courtyard.pbrt" : small_scene(folder));
   Browser browser(1280, pictures ? 1240 : 1000);
   browser.open(served.url());
   ASSERT_TRUE(browser.wait_for("document.querySelectorAll('#samplers input').length > 5"));

@@ -221,11 +221,12 @@ TEST(Serve, SaysWhatIsDecidedAndWhatIsNot) {
   EXPECT_EQ(a["decided"], true);
   EXPECT_EQ(a["headline"], "Use one.");
   EXPECT_NEAR(a["time_ratio"]["two"]["value"].get<double>(), 2, 1e-9);
-  EXPECT_LT(a["time_ratio"]["two"]["low"].get<double>(), 2);
-  const auto three = cells(1.01, 0.3), four = cells(1, 0.3);
+  EXPECT_NEAR(a["error_ratio"]["two"]["value"].get<double>(), 2, 1e-9);
+  EXPECT_NEAR(a["error_ratio"]["two"]["low"].get<double>(), 2, 1e-9) << "what both have cancels out";
+  const auto three = cells(1.01, 0.3), four = cells(1, -0.3);
   const json b = serve::answer({{"three", &three}, {"four", &four}}, 2, "device");
   EXPECT_EQ(b["decided"], false);
-  EXPECT_THAT(b["text"].get<std::string>(), ::testing::HasSubstr("three needs "));
+  EXPECT_THAT(b["text"].get<std::string>(), ::testing::HasSubstr("three errs "));
   EXPECT_EQ(b["headline"], "four or three: not decided yet.");
   const json c = serve::answer({{"one", &one}, {"two", &two}}, 100, "device");
   EXPECT_EQ(c["headline"], "Not known yet.");
