@@ -32,9 +32,11 @@ int whole(const json& j, const char* name, int usual, int least, int most) {
 
 std::string text(const json& j, const char* name, const std::string& usual) {
   if (!j.contains(name)) return usual;
-  if (!j[name].is_string() || j[name].get_ref<const std::string&>().size() > 200)
+  const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  const std::string value = j[name].is_string() ? j[name].get<std::string>() : std::string(201, ' ');
+  if (value.size() > 200 || std::any_of(value.begin(), value.end(), control))
     throw InputError(fmt::format("\"{}\" must be a short text", name));
-  return j[name].get<std::string>();
+  return value;
 }
 
 std::string one_of(const json& j, const char* name, const std::vector<std::string>& choices) {

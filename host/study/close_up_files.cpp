@@ -7,6 +7,7 @@
 #include "image/compare.h"
 #include "image/flip.h"
 #include "study/close_ups.h"
+#include "study/json_numbers.h"
 #include "study/run_record.h"
 
 namespace capcon {
@@ -57,19 +58,20 @@ std::optional<CloseUps> read_close_ups(const fs::path& folder, const std::string
     if (facts.at("settings_hash") != hash) return std::nullopt;
     CloseUps c;
     c.picture = read_exr(folder / "picture.exr");
-    c.picture_samples = facts.at("picture_samples").get<std::uint32_t>();
-    c.seed = facts.at("seed").get<std::uint32_t>();
-    const auto region = facts.at("region").get<std::array<int, 4>>();
-    c.region = {region[0], region[1], region[2], region[3]};
+    c.picture_samples = whole<std::uint32_t>(facts, "picture_samples");
+    c.seed = whole<std::uint32_t>(facts, "seed");
+    const json& region = facts.at("region");
+    c.region = {whole<int>(region.at(0)), whole<int>(region.at(1)), whole<int>(region.at(2)),
+                whole<int>(region.at(3))};
     if (c.region.x < 0 || c.region.y < 0 || c.region.width < 1 || c.region.height < 1 ||
         c.region.width > c.picture.width - c.region.x || c.region.height > c.picture.height - c.region.y)
       return std::nullopt;
     c.exposure = facts.at("exposure").get<float>();
-    c.samples = facts.at("samples").get<std::vector<std::uint32_t>>();
+    for (const json& count : facts.at("samples")) c.samples.push_back(whole<std::uint32_t>(count));
     c.reference = crop(c.picture, c.region);
     for (const json& fact : facts.at("views")) {
       CloseUp view{
-          fact.at("sampler").get<std::string>(), fact.at("samples").get<std::uint32_t>(), {}, {}, 0, 0};
+          fact.at("sampler").get<std::string>(), whole<std::uint32_t>(fact, "samples"), {}, {}, 0, 0};
       view.crop = read_of_size(folder / fs::path(file_of(view)).filename(), c.region.width, c.region.height,
                                c.picture.channels);
       view.difference = absolute_difference(view.crop, c.reference);

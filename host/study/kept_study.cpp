@@ -11,47 +11,13 @@
 #include "base/file.h"
 #include "study/merge.h"
 #include "study/report.h"
+#include "study/study_file.h"
 
 namespace capcon {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-Cost cost_from(const json& c) {
-  return {c.at("read_seconds").get<double>(),       c.at("build_seconds").get<double>(),
-          c.at("upload_seconds").get<double>(),     c.at("compile_seconds").get<double>(),
-          c.at("device_seconds").get<double>(),     c.at("scene_bytes").get<std::uint64_t>(),
-          c.at("device_bytes").get<std::uint64_t>()};
-}
-
-Explanation explanation_from(const json& e) {
-  Explanation result;
-  for (const json& row : e.at("features")) {
-    result.rows.push_back({row.at("name").get<std::string>(), row.at("in_scene").get<std::string>(),
-                           row.at("used").get<bool>(), row.value("left_out", "")});
-  }
-  result.needed = cost_from(e.at("needed"));
-  result.everything = cost_from(e.at("everything"));
-  result.device_ratio = e.at("device_ratio").at("median").get<double>();
-  result.device_ratio_low = e.at("device_ratio").at("low").get<double>();
-  result.device_ratio_high = e.at("device_ratio").at("high").get<double>();
-  result.repeats = e.at("repeats").get<int>();
-  result.identical = e.at("identical").get<bool>();
-  return result;
-}
-
-/// What the page takes for granted.
-void check(const StudyResult& result) {
-  const StudySettings& s = result.settings;
-  for (const std::uint32_t n : s.samples) {
-    if (n == 0 || (s.integral == Integral::splitting && (s.combined < n || s.combined % n != 0)))
-      throw std::out_of_range("samples");
-  }
-  if (!result.device.is_object() || (result.device.contains("name") && !result.device["name"].is_string()))
-    throw std::out_of_range("device");
-  if (!(result.reference.error >= 0)) throw std::out_of_range("error");
-}
 
 /// The runs of the study, in its plan's order, of all that were ever measured in the folder.
 std::vector<RunRecord> records_of(const StudySettings& settings, const RunFile& runs,
@@ -91,24 +57,9 @@ KeptStudy read_kept_study(const fs::path& folder) {
         fmt::format("{}: there is no study.json; name the folder that a finished study was given with -o",
                     folder.string()));
   }
-  KeptStudy kept;
-  kept.folder = folder;
+  StudyFile study = read_study_file(file);
+  KeptStudy kept{folder, {}, std::move(study.result), std::move(study.explanation)};
   StudyResult& result = kept.result;
-  const std::string text = read_file(file);
-  try {
-    const json study = parse_study_json(text);
-    result.settings = settings_from_json(study.at("settings"));
-    result.device = study.at("device");
-    result.started = study.at("started").get<std::string>();
-    result.version = study.at("version").get<std::string>();
-    result.reference.error = study.at("reference").at("error").get<double>();
-    result.reference.coarse_error = study.at("reference").value("coarse_error", 0.0);
-    check(result);
-    if (study.contains("explanation")) kept.explanation = explanation_from(study.at("explanation"));
-  } catch (const std::exception&) {
-    throw InputError(SourcePlace{file.string(), 0, 0},
-                     "this is not a study.json as capcon study writes it; give the study's command again");
-  }
   if (!fs::exists(folder / "runs.jsonl", ignored)) {
     throw InputError(fmt::format(
         "{}: runs.jsonl is not there, which holds every run; copy it beside study.json", folder.string()));

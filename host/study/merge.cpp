@@ -20,29 +20,13 @@ using nlohmann::json;
 namespace {
 
 /// What a shard left behind.
-struct Part {
+struct Part : ShardFile {
   fs::path folder;
-  Shard shard;
-  std::string hash;
-  json settings, device;
   RunFile runs;
 };
 
 Part read_part(const fs::path& folder) {
-  const fs::path file = folder / "shard.json";
-  Part part{folder, {}, {}, {}, {}, {}};
-  try {
-    const json json = parse_study_json(read_file(file));
-    part.shard = Shard::parse(json.at("shard").get<std::string>());
-    part.hash = json.at("settings_hash").get<std::string>();
-    part.settings = json.at("settings");
-    part.settings["version"] = json.at("version");
-    part.device = json.at("device");
-    settings_from_json(part.settings);
-  } catch (const std::exception&) {
-    throw InputError(SourcePlace{file.string(), 0, 0},
-                     "this is not a shard of a study; remove its folder, and do its jobs again");
-  }
+  Part part{read_shard_file(folder / "shard.json"), folder, {}};
   std::error_code ignored;
   if (fs::exists(folder / "runs.jsonl", ignored)) part.runs = read_runs(folder / "runs.jsonl");
   // A shard that started anew with other settings may have ended before its first line.

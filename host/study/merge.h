@@ -22,7 +22,8 @@ StudyResult merge_shards(const std::filesystem::path& out, const std::vector<std
 /// The hash that a merged study's runs and images have.
 std::string merged_hash(const StudyResult& merged);
 
-/// What to_json(StudySettings) gave. An exception of the JSON library, or InputError, where it is not that.
+/// What to_json(StudySettings) gave. An exception of the JSON library, std::out_of_range or InputError where
+/// it is not that.
 StudySettings settings_from_json(const nlohmann::json& json);
 
 }  // namespace capcon

@@ -12,6 +12,7 @@
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "study/json_numbers.h"
 
 namespace capcon {
 namespace fs = std::filesystem;
@@ -25,16 +26,6 @@ double number(const json& line, const char* name) {
   const double v = value.get<double>();
   if (!std::isfinite(v) || v < 0) throw std::out_of_range(fmt::format("\"{}\" is not a size", name));
   return v;
-}
-
-/// A whole number that T holds: the library itself would cut any number to size.
-template <class T>
-T whole(const json& line, const char* name, T least = 0) {
-  const json& value = line.at(name);
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > std::numeric_limits<T>::max() ||
-      value.get<T>() < least)
-    throw std::out_of_range(fmt::format("\"{}\" is not a count", name));
-  return value.get<T>();
 }
 
 /// What later readers of the header take for granted.

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "study/json_numbers.h"
 #include "study/merge.h"
 
 namespace capcon {
@@ -36,15 +37,15 @@ Clamping clamping_of(const std::string& name) {
 StudySettings settings_from_json(const nlohmann::json& json) {
   StudySettings s;
   s.integral = integral_of(json.at("integral").get<std::string>());
-  s.combined = json.at("combined").get<std::uint32_t>();
+  s.combined = whole<std::uint32_t>(json, "combined");
   s.position = json.at("pixel_samples") == "jittered" ? PixelPosition::jittered : PixelPosition::centre;
   s.scene = json.at("scene").get<std::string>();
   s.scene_fingerprint = hexadecimal(json, "scene_fingerprint");
   s.points_fingerprint = hexadecimal(json, "points_fingerprint");
-  s.unique_triangles = json.at("unique_triangles").get<std::uint64_t>();
-  s.instanced_triangles = json.at("instanced_triangles").get<std::uint64_t>();
-  s.width = json.at("width").get<int>();
-  s.height = json.at("height").get<int>();
+  s.unique_triangles = whole<std::uint64_t>(json, "unique_triangles");
+  s.instanced_triangles = whole<std::uint64_t>(json, "instanced_triangles");
+  s.width = whole(json, "width", 1);
+  s.height = whole(json, "height", 1);
   s.radius = json.at("radius").is_number() ? json.at("radius").get<double>()
                                            : std::numeric_limits<double>::infinity();
   s.samplers = json.at("samplers").get<std::vector<std::string>>();
@@ -52,19 +53,20 @@ StudySettings settings_from_json(const nlohmann::json& json) {
     for (const auto& [name, file] : json.at("point_files").items())
       s.point_files[name] = {file.at("sampler").get<std::string>(), hexadecimal(file, "fingerprint")};
   }
-  s.samples = json.at("samples").get<std::vector<std::uint32_t>>();
-  s.seeds = json.at("seeds").get<std::uint32_t>();
-  s.reference_samples = json.at("reference_samples").get<std::uint32_t>();
-  s.reference_groups = json.at("reference_groups").get<std::uint32_t>();
+  if (!json.at("samples").is_array()) throw InputError("samples are no list");
+  s.samples.clear();
+  for (const auto& count : json.at("samples")) s.samples.push_back(whole<std::uint32_t>(count));
+  s.seeds = whole<std::uint32_t>(json, "seeds", 1);
+  s.reference_samples = whole<std::uint32_t>(json, "reference_samples");
+  s.reference_groups = whole<std::uint32_t>(json, "reference_groups");
   s.close_ups = json.at("close_ups").get<bool>();
   s.command = json.at("command").get<std::string>();
   if (s.integral == Integral::global_illumination) {
-    s.paths = json.at("paths").get<std::uint32_t>();
+    s.paths = whole<std::uint32_t>(json, "paths", 1);
     s.limit = json.at("limit").get<double>();
     s.clamping = clamping_of(json.at("clamping").get<std::string>());
   }
-  if (s.width < 1 || s.height < 1 || s.samplers.empty() || s.samples.empty() || s.seeds < 1)
-    throw InputError("a study of nothing");
+  if (s.samplers.empty() || s.samples.empty()) throw InputError("a study of nothing");
   return s;
 }
 

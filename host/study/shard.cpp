@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -42,29 +41,6 @@ std::vector<PlannedRun> finished_elsewhere(const fs::path& study, const fs::path
 }
 
 }  // namespace
-
-Shard Shard::parse(const std::string& text) {
-  Shard shard;
-  const char* end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, shard.index);
-  if (first.ec == std::errc() && first.ptr != end && *first.ptr == '/') {
-    const auto second = std::from_chars(first.ptr + 1, end, shard.count);
-    if (second.ec == std::errc() && second.ptr == end && shard.index >= 1 && shard.index <= shard.count)
-      return shard;
-  }
-  throw InputError(
-      fmt::format("--shard {}: must be i/n, number i of n parts, from 1/n to n/n, such as 2/4", text));
-}
-
-std::string Shard::str() const {
-  return fmt::format("{}/{}", index, count);
-}
-
-std::vector<PlannedRun> Shard::jobs(const std::vector<PlannedRun>& plan) const {
-  std::vector<PlannedRun> mine;
-  for (std::size_t i = index - 1; i < plan.size(); i += count) mine.push_back(plan[i]);
-  return mine;
-}
 
 fs::path shards_folder(const fs::path& study) {
   return study / "shards";

@@ -5,21 +5,9 @@
 
 #include "distributed/ranks.h"
 #include "study/runner.h"
+#include "study/shard_file.h"
 
 namespace capcon {
-
-/// One of the parts that a study's jobs are shared out to: number `index` of `count`, from 1. The jobs are
-/// numbered as plan_runs() has them, from 0; this part has those whose number is index - 1 modulo count.
-struct Shard {
-  std::uint32_t index = 1;
-  std::uint32_t count = 1;
-
-  /// "2/4". InputError for anything else.
-  static Shard parse(const std::string& text);
-  std::string str() const;
-  /// Its jobs.
-  std::vector<PlannedRun> jobs(const std::vector<PlannedRun>& plan) const;
-};
 
 /// What shards keep lies in `study`/shards: reference.exr, which all have in common, and a folder for each
 /// ("2-of-4") that nobody else writes to, so that network file systems need no locks.

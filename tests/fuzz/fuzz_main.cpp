@@ -2,14 +2,22 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "fuzz/target.h"
+#include "sampling/sampler.h"
 
 namespace {
 
 const capcon::fuzz::Target* chosen = nullptr;
 
 }  // namespace
+
+/// Names are all that a reader asks of samplers, which are not linked.
+const std::vector<std::string>& capcon::sampler_names() {
+  static const std::vector<std::string> names = {"random", "sobol-owen", "ccvt", "fpo", "capcon-domain"};
+  return names;
+}
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
   const char* variable = std::getenv("CAPCON_FUZZ_TARGET");

@@ -5,8 +5,11 @@
 #include "base/sealed.h"
 #include "fuzz/files.h"
 #include "fuzz/target.h"
+#include "study/merge.h"
 #include "study/regression.h"
 #include "study/run_record.h"
+#include "study/shard_file.h"
+#include "study/study_file.h"
 
 namespace capcon::fuzz {
 using nlohmann::json;
@@ -53,6 +56,29 @@ void read_study_baseline(std::string_view bytes) {
   json settings = baseline.json.at("settings");
   if (!settings.contains("seeds")) settings["seeds"] = 2;
   check_comparable(baseline, settings);
+}
+
+void read_kept_study(std::string_view bytes) {
+  const MemoryFile input(bytes);
+  const StudyFile study = read_study_file(input.path());
+  const StudySettings& s = study.result.settings;
+  require(s.width >= 1 && s.height >= 1 && s.seeds >= 1, "a study has pixels and seeds");
+  require(!s.samplers.empty() && !s.samples.empty(), "a study has samplers and counts");
+  for (const std::uint32_t n : s.samples) require(n >= 1, "a run has samples");
+  require(study.result.reference.error >= 0, "an error is 0 or more");
+  (void)study.result.device.value("name", "");
+  const StudySettings again = settings_from_json(to_json(s));
+  require(again.samplers == s.samplers && again.samples == s.samples, "what is written is read again");
+}
+
+void read_study_shard(std::string_view bytes) {
+  const MemoryFile input(bytes);
+  const ShardFile part = read_shard_file(input.path());
+  require(part.shard.index >= 1 && part.shard.index <= part.shard.count, "a shard is one of its number");
+  require(Shard::parse(part.shard.str()).count == part.shard.count, "what is written is read again");
+  (void)part.device.value("name", "");
+  const StudySettings s = settings_from_json(part.settings);
+  require(double(s.samplers.size()) * double(s.samples.size()) * s.seeds <= 1e7, "jobs have room");
 }
 
 void read_sealed(std::string_view bytes) {

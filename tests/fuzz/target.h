@@ -51,6 +51,9 @@ void read_tiles(std::string_view bytes);
 void read_parts(std::string_view bytes);
 void read_study_runs(std::string_view bytes);
 void read_study_baseline(std::string_view bytes);
+void read_kept_study(std::string_view bytes);
+void read_study_shard(std::string_view bytes);
+void read_serve_settings(std::string_view bytes);
 void read_sealed(std::string_view bytes);
 
 }  // namespace capcon::fuzz
