@@ -272,11 +272,12 @@ ordered_json Comparison::snapshot() const {
     double rays = 0;
     for (const Cell& cell : s.cells) {
       if (cell.frames.empty()) continue;
-      std::vector<double> mse, relmse;
+      std::vector<double> mse, relmse, times;
       double seconds = 0, traced = 0;
       for (const Frame& f : cell.frames) {
         mse.push_back(f.mse);
         relmse.push_back(f.relmse);
+        times.push_back(f.seconds);
         seconds += f.seconds;
         traced += f.rays;
       }
@@ -285,6 +286,7 @@ ordered_json Comparison::snapshot() const {
       one["cells"].push_back({{"count", cell.count},
                               {"seeds", cell.frames.size()},
                               {"seconds", mean},
+                              {"time", interval(times)},
                               {"rays_per_second", seconds > 0 ? traced / seconds : 0},
                               {"mse", interval(mse)},
                               {"relmse", interval(relmse)}});

@@ -95,7 +95,7 @@ function table() {
     for (const text of [one.sampler, one.frames, one.device_seconds.toFixed(1) + ' s', (one.rays_per_second / 1e6).toFixed(2), one.shown ? `${one.shown.count} ${what}${one.shown.count > 1 ? 's' : ''}` : '…']) {
       const cell = document.createElement('td'); cell.textContent = text; row.append(cell);
     }
-    const cell = document.createElement('td'), code = document.createElement('code'); code.textContent = command; cell.append(code); row.append(cell);
+    const cell = document.createElement('td'), code = document.createElement('code'); for (const word of command.split(' ')) { const e = document.createElement('span'); e.textContent = word; code.append(code.firstChild ? ' ' : '', e); } cell.append(code); row.append(cell);
     const last = document.createElement('td'), copy = document.createElement('button');
     copy.textContent = 'Copy'; copy.title = 'Copy the command line';
     copy.onclick = async () => { try { await navigator.clipboard.writeText(command); copy.textContent = 'Copied'; } catch { getSelection().selectAllChildren(code); } };
@@ -133,6 +133,7 @@ function chart() {
       for (const c of cells) {
         const e = c[measure];
         if (e.low > 0 && e.high) parts.push(svg('line', { x1: x(c.seconds), x2: x(c.seconds), y1: Math.min(box.b, y(e.low)), y2: Math.max(box.t, y(e.high)), stroke: kColours[i], 'stroke-width': 2 }));
+        if (c.time.low > 0) parts.push(svg('line', { x1: Math.max(box.l, x(c.time.low)), x2: Math.min(box.r, x(c.time.high)), y1: y(e.value), y2: y(e.value), stroke: kColours[i], 'stroke-width': 2 }));
         const dot = svg('circle', { cx: x(c.seconds), cy: y(e.value), r: 4, fill: kColours[i] });
         dot.append(svg('title', {}, s.sampler + ', ' + c.count));
         dot.onpointerenter = () => { $('hover').textContent = `${s.sampler}, ${c.count} a pixel: ${measure === 'mse' ? 'MSE' : 'relMSE'} ${e.value.toExponential(2)}` + (e.low !== null ? ` (95 %: ${e.low.toExponential(2)} to ${e.high.toExponential(2)})` : ' (no interval yet)') + `, ${c.seconds.toPrecision(3)} s a frame, ${(c.rays_per_second / 1e6).toFixed(2)} million rays/s, ${c.seeds} seeds`; };
