@@ -6,9 +6,7 @@
 #include "base/file.h"
 #include "image/compare.h"
 #include "image/flip.h"
-#include "study/close_ups.h"
-#include "study/json_numbers.h"
-#include "study/run_record.h"
+#include "study/close_up_facts.h"
 
 namespace capcon {
 namespace fs = std::filesystem;
@@ -54,32 +52,21 @@ std::optional<CloseUps> read_close_ups(const fs::path& folder, const std::string
   std::error_code ignored;
   if (!fs::exists(folder / "close-ups.json", ignored)) return std::nullopt;
   try {
-    const json facts = parse_study_json(read_file(folder / "close-ups.json"));
-    if (facts.at("settings_hash") != hash) return std::nullopt;
-    CloseUps c;
+    CloseUpFacts facts = parse_close_up_facts(read_file(folder / "close-ups.json"));
+    if (facts.hash != hash) return std::nullopt;
+    CloseUps& c = facts.close_ups;
     c.picture = read_exr(folder / "picture.exr");
-    c.picture_samples = whole<std::uint32_t>(facts, "picture_samples");
-    c.seed = whole<std::uint32_t>(facts, "seed");
-    const json& region = facts.at("region");
-    c.region = {whole<int>(region.at(0)), whole<int>(region.at(1)), whole<int>(region.at(2)),
-                whole<int>(region.at(3))};
-    if (c.region.x < 0 || c.region.y < 0 || c.region.width < 1 || c.region.height < 1 ||
-        c.region.width > c.picture.width - c.region.x || c.region.height > c.picture.height - c.region.y)
+    if (c.region.width > c.picture.width - c.region.x || c.region.height > c.picture.height - c.region.y)
       return std::nullopt;
-    c.exposure = facts.at("exposure").get<float>();
-    for (const json& count : facts.at("samples")) c.samples.push_back(whole<std::uint32_t>(count));
     c.reference = crop(c.picture, c.region);
-    for (const json& fact : facts.at("views")) {
-      CloseUp view{
-          fact.at("sampler").get<std::string>(), whole<std::uint32_t>(fact, "samples"), {}, {}, 0, 0};
+    for (CloseUp& view : c.views) {
       view.crop = read_of_size(folder / fs::path(file_of(view)).filename(), c.region.width, c.region.height,
                                c.picture.channels);
       view.difference = absolute_difference(view.crop, c.reference);
       view.mse = compare(view.crop, c.reference).mse;
       view.flip = flip(view.crop, c.reference);
-      c.views.push_back(std::move(view));
     }
-    return c;
+    return std::move(facts.close_ups);
   } catch (const InputError&) {
     return std::nullopt;             // a report does without them
   } catch (const std::exception&) {  // JSON that says something else

@@ -1,10 +1,12 @@
 // What a study goes on from, and what a device's cache keeps.
 #include <cmath>
 
+#include "base/error.h"
 #include "base/hash.h"
 #include "base/sealed.h"
 #include "fuzz/files.h"
 #include "fuzz/target.h"
+#include "study/close_up_facts.h"
 #include "study/merge.h"
 #include "study/regression.h"
 #include "study/run_record.h"
@@ -79,6 +81,19 @@ void read_study_shard(std::string_view bytes) {
   (void)part.device.value("name", "");
   const StudySettings s = settings_from_json(part.settings);
   require(double(s.samplers.size()) * double(s.samples.size()) * s.seeds <= 1e7, "jobs have room");
+}
+
+void read_close_up_facts(std::string_view bytes) {
+  CloseUpFacts facts;
+  try {
+    facts = parse_close_up_facts(bytes);
+  } catch (const std::exception&) {  // then a report does without them
+    throw InputError("these are no close-ups");
+  }
+  const CloseUps& c = facts.close_ups;
+  require(c.region.x >= 0 && c.region.y >= 0 && c.region.width >= 1 && c.region.height >= 1, "a region");
+  require(c.exposure > 0 && std::isfinite(c.exposure) && std::isfinite(1 / c.exposure), "an exposure");
+  require(!c.samples.empty() && c.views.size() <= 1000, "a report has counts to show, and room");
 }
 
 void read_sealed(std::string_view bytes) {

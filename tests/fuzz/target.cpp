@@ -29,6 +29,7 @@ constexpr Target kTargets[] = {
     {"baseline", read_study_baseline},
     {"study", read_kept_study},
     {"shard", read_study_shard},
+    {"close-ups", read_close_up_facts},
     {"settings", read_serve_settings},
     {"sealed", read_sealed},
 };

@@ -53,6 +53,7 @@ void read_study_runs(std::string_view bytes);
 void read_study_baseline(std::string_view bytes);
 void read_kept_study(std::string_view bytes);
 void read_study_shard(std::string_view bytes);
+void read_close_up_facts(std::string_view bytes);
 void read_serve_settings(std::string_view bytes);
 void read_sealed(std::string_view bytes);
 
