@@ -6,11 +6,6 @@ namespace {
 
 using namespace testing;
 
-/// All pixels see the origin, each with its own points.
-Scene at_origin(const std::string& text) {
-  return test::look_at_origin(text, 8);
-}
-
 // A white surface within light of radiance 1 has radiance 1, whatever makes that light.
 TEST(DirectEnergy, AWhiteFurnaceIsWhite) {
   const std::string sky = "\"infinite\" \"rgb L\" [.25 .25 .25] ";
