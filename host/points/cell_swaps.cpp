@@ -14,7 +14,7 @@ class Pair {
  public:
   Pair(const std::vector<glm::vec3>& centres, std::uint32_t* a, std::uint32_t* b, std::uint32_t n)
       : cells_{a, b}, n_(n), m_(2 * n), distance_(std::size_t(m_) * m_), gain_(m_), inside_(m_), lead_(m_) {
-    const float weight = direction_weight(n);
+    const SpreadWeights weights = spread_weights(n);
     std::vector<float> x(m_), y(m_), z(m_);
     for (std::uint32_t i = 0; i < m_; ++i) {
       const glm::vec3 c = centres[i < n ? a[i] : b[i - n]];
@@ -24,7 +24,7 @@ class Pair {
     for (std::uint32_t i = 0; i < m_; ++i) {
       float* row = &distance_[std::size_t(i) * m_];
       for (std::uint32_t j = 0; j < m_; ++j)
-        row[j] = spread_distance<domain>(x[i] - x[j], y[i] - y[j], z[i] - z[j], weight);
+        row[j] = spread_distance<domain>(x[i] - x[j], y[i] - y[j], z[i] - z[j], weights);
       const float sign = i < n ? 1.0f : -1.0f;
       for (std::uint32_t j = 0; j < m_; ++j) lead_[j] += sign * row[j];
     }

@@ -16,7 +16,8 @@ namespace {
 constexpr std::uint64_t kPairStream = 0x6e656172;
 // Below this it may be rounding, and a tie could swap for ever but for the passes and rounds, which are
 // counted.
-constexpr float kLeastGain = 1e-4f;  // sets are large: the direction_weight of spread_distance is 1
+constexpr float kLeastGain = 1e-4f;
+constexpr SpreadWeights kLargeSets;  // those of many points
 constexpr int kPasses = 2;
 // Partners are looked for in the bins within kReach of a cell's own, which hold about kInBin cells of each
 // set: a hundred at most.
@@ -33,7 +34,7 @@ struct Cells {
   }
   std::size_t size() const { return x.size(); }
   float distance(std::size_t i, std::size_t j) const {
-    return spread_distance<domain>(x[i] - x[j], y[i] - y[j], z[i] - z[j], 1);
+    return spread_distance<domain>(x[i] - x[j], y[i] - y[j], z[i] - z[j], kLargeSets);
   }
 };
 
@@ -52,7 +53,7 @@ void add_distances(const Cells<domain>& a, const Cells<domain>& b, double* rows,
         const std::size_t length = std::min(kBlock, b.size() - from);
         float d[kBlock];
         for (std::size_t k = 0; k < length; ++k) {
-          d[k] = spread_distance<domain>(x - b.x[from + k], y - b.y[from + k], z - b.z[from + k], 1);
+          d[k] = spread_distance<domain>(x - b.x[from + k], y - b.y[from + k], z - b.z[from + k], kLargeSets);
           column[from + k] += d[k];
         }
         float lanes[8] = {};
@@ -184,8 +185,8 @@ class NearSwaps {
     const Cells<domain>& c = m.cells;
     const float px = c.x[p], py = c.y[p], pz = c.z[p], qx = c.x[q], qy = c.y[q], qz = c.z[q];
     for (std::size_t k = 0; k < c.size(); ++k) {
-      m.lead[k] += 2 * (spread_distance<domain>(c.x[k] - qx, c.y[k] - qy, c.z[k] - qz, 1) -
-                        spread_distance<domain>(c.x[k] - px, c.y[k] - py, c.z[k] - pz, 1));
+      m.lead[k] += 2 * (spread_distance<domain>(c.x[k] - qx, c.y[k] - qy, c.z[k] - qz, kLargeSets) -
+                        spread_distance<domain>(c.x[k] - px, c.y[k] - py, c.z[k] - pz, kLargeSets));
     }
     std::swap(m.first[p], m.first[q]);
     p = q;

@@ -64,11 +64,11 @@ class Ranking {
   void measure() {
     std::vector<glm::vec3> place(n_);
     for (std::uint32_t i = 0; i < n_; ++i) place[i] = spread_place(domain, centre(cells_[i]));
-    const float along = direction_weight(n_);
+    const SpreadWeights weights = spread_weights(n_);
     for (std::uint32_t i = 0; i < n_; ++i) {
       for (std::uint32_t j = 0; j < n_; ++j) {
         const glm::vec3 d = place[i] - place[j];
-        distance_[i * n_ + j] = spread_distance<domain>(d.x, d.y, d.z, along);
+        distance_[i * n_ + j] = spread_distance<domain>(d.x, d.y, d.z, weights);
       }
     }
     // A block of 2^k cells has that share of them, its spread counts by n^-2, and the least of it falls like

@@ -51,12 +51,12 @@ std::vector<glm::vec3> places(const Ensemble& e, EnsembleDomain domain, std::uin
 
 template <EnsembleDomain domain>
 float mean_spread(const glm::vec3* a, const glm::vec3* b, std::uint32_t n) {
-  const float weight = direction_weight(n);
+  const SpreadWeights weights = spread_weights(n);
   double sum = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     float row = 0;
     for (std::uint32_t j = 0; j < n; ++j)
-      row += spread_distance<domain>(a[i].x - b[j].x, a[i].y - b[j].y, a[i].z - b[j].z, weight);
+      row += spread_distance<domain>(a[i].x - b[j].x, a[i].y - b[j].y, a[i].z - b[j].z, weights);
     sum += row;
   }
   return static_cast<float>(sum / n / n);

@@ -18,13 +18,13 @@ namespace {
 
 // Of the way ensembles are made: to be raised when the same options give other sets, so that what caches keep
 // is made anew.
-constexpr int kMaking = 2;
+constexpr int kMaking = 3;
 
 // The same of the ways parts are dealt.
-constexpr int kDealing = 1;
+constexpr int kDealing = 2;
 
 // The same of the way sets are ranked.
-constexpr int kRanking = 1;
+constexpr int kRanking = 2;
 // Distances that dealing computes at least for its result to be kept: a tenth of a second's work.
 constexpr double kWorthKeeping = 8e6;
 
