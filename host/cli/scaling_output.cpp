@@ -75,7 +75,7 @@ void print_scaling(const std::vector<ScalingPoint>& points) {
 }
 
 void draw_scaling(const std::vector<ScalingPoint>& points, const std::string& path) {
-  constexpr double kWidth = 300, kHeight = 190, kLeft = 60, kTop = 40, kGap = 70;
+  constexpr double kWidth = 300, kHeight = 190, kLeft = 60, kTop = 46, kGap = 70;
   plot::write_picture(path, kLeft + 2 * kWidth + kGap + 20, kTop + kHeight + 45, [&](plot::Canvas& canvas) {
     double x = kLeft;
     for (const Column& c : columns()) {
@@ -101,14 +101,13 @@ void draw_scaling(const std::vector<ScalingPoint>& points, const std::string& pa
       const plot::Box box{x, kTop, kWidth, kHeight};
       plot::draw_curve(canvas, box, across, up, {}, theirs, plot::kRed);
       plot::draw_curve(canvas, box, across, up, {}, ours, plot::kBlue);
-      canvas.text({x, kTop - 12},
-                  fmt::format("capcon: x{:.2f} per tenfold", growth_per_tenfold(points, c.capcon)),
-                  {.colour = plot::kBlue, .size = 11});
-      if (has_embree(points)) {
-        canvas.text({x + kWidth, kTop - 12},
-                    fmt::format("Embree, single rays: x{:.2f}", growth_per_tenfold(points, c.embree)),
-                    {.colour = plot::kRed, .size = 11, .anchor = plot::Anchor::kEnd});
-      }
+      const auto name = [&](double above, const char* tracer, const auto& column, const auto& colour) {
+        canvas.text({x, kTop - above},
+                    fmt::format("{}: x{:.2f} per tenfold", tracer, growth_per_tenfold(points, column)),
+                    {.colour = colour, .size = 11});
+      };
+      name(25, "capcon", c.capcon, plot::kBlue);
+      if (has_embree(points)) name(10, "Embree, single rays", c.embree, plot::kRed);
       x += kWidth + kGap;
     }
   });
