@@ -20,7 +20,7 @@ layout(set = 0, binding = kBindCounts, std430) buffer Counts { uint counts[]; };
 
 void main() {
   uint local = spread_group(push.group_stride) * kGroupSize + gl_LocalInvocationIndex;
-  uint pixel_in_batch = divide(local, max(push.samples, 1u));  // 0 samples: the warm-up run
+  uint pixel_in_batch = divide_small(local, max(push.samples, 1u));  // 0 samples: the warm-up run
   uint index = push.first_sample + local - pixel_in_batch * push.samples;
   if (kOrdered != 0u) index = FETCH(order_texels, index).x;  // neighbouring lanes get neighbouring directions
   bool inside = pixel_in_batch < push.pixel_count;

@@ -16,7 +16,8 @@ constexpr std::uint32_t kMostSamples = 1u << 14;
 std::uint32_t groups_for(std::uint64_t lanes);
 
 /// A stride that is coprime to the number of groups and near its golden section: a driver that hands each
-/// thread one contiguous piece of a dispatch then gives all of them the same mix of work.
+/// thread one contiguous piece of a dispatch then gives all of them the same mix of work. Stride times group
+/// stays below 2^32 (shaders/dispatch.glsl): beyond 65,536 groups the stride is 1.
 std::uint32_t spreading_stride(std::uint32_t groups);
 
 }  // namespace capcon

@@ -77,7 +77,7 @@ uvec2 sample_domain_set(uvec4 words, uint seed, uint count, uint pixel, uint ind
     // Which part comes first is random.
     uint parts = screen ? words.z >> 16u : words.w & 0xffffu;
     uint first = set_words(seed, pixel, dimension, kPurposeParts).w;
-    place += divide(count, parts) * multiply_high(first, parts);
+    place += divide_small(count, parts) * multiply_high(first, parts);
     place -= place >= count ? count : 0u;
   }
   uvec4 cell = FETCH(sampler_texels, before + set + place);

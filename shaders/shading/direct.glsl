@@ -29,7 +29,7 @@ struct Job {
 Job this_job() {
   Job job;
   job.slot = spread_group(push.group_stride) * kGroupSize + gl_LocalInvocationIndex;
-  uint local = divide(job.slot, max(push.samples, 1u));  // 0 samples: the warm-up run
+  uint local = divide_small(job.slot, max(push.samples, 1u));  // 0 samples: the warm-up run
   uint index = push.first_sample + job.slot - local * push.samples;
   if (kOrdered != 0u) index = FETCH(order_texels, index).x;  // neighbouring lanes get neighbouring directions
   job.live = local < push.pixel_count;

@@ -1,7 +1,10 @@
 // How the work is cut into dispatches changes no bit, and the device's clock decides it.
 #include "render/batches.h"
 
+#include <numeric>
+
 #include "gpu/kernel.h"
+#include "render/dispatch.h"
 #include "render/lit_rooms.h"
 #include "render/renderer_state.h"
 #include "spirv/points_storage.h"
@@ -24,6 +27,15 @@ void expect_same_bits(const Scene& scene, const Job& job) {
        {std::uint64_t(1000), std::uint64_t(1) << 12, std::uint64_t(1) << 15, kAdaptive}) {
     renderer.state().fixed_lanes = lanes;
     EXPECT_EQ(renderer.render(job).image.pixels, whole) << lanes << " lanes";
+  }
+}
+
+// A dispatch of rows of a wide image may have more groups than usual: all are to be visited once.
+TEST(Batches, StridesVisitEveryGroupAndFitAWord) {
+  for (const std::uint32_t groups : {1u, 2u, 63u, 4096u, 8192u, 65521u, 65536u, 65537u, 131072u, 262144u}) {
+    const std::uint32_t stride = spreading_stride(groups);
+    EXPECT_EQ(std::gcd(stride, groups), 1u) << groups;
+    EXPECT_LT(std::uint64_t(groups - 1) * stride, std::uint64_t(1) << 32) << groups;
   }
 }
 
