@@ -21,6 +21,8 @@ using glm::vec4;
 
 // Lanes of a workgroup: a multiple of every subgroup size there is.
 CAPCON_CONST kGroupSize = 64u;
+// And with queues of rays, on CPU devices: they have four lanes, eight or sixteen, and small groups are spread better.
+CAPCON_CONST kQueueGroupSize = 16u;
 
 // Sampler ids: SamplerTables::id and the specialisation constant of the kernels.
 CAPCON_CONST kSamplerRandom = 0u;
@@ -74,6 +76,8 @@ CAPCON_CONST kSpecDetailNormals = 13u;  // 1: details hold the vertices' normals
 CAPCON_CONST kSpecDetailUvs = 14u;   // 1: details hold the vertices' uvs
 CAPCON_CONST kSpecFilter = 15u;      // 1: image samples are placed by the filter's table, 0: evenly in the pixel
 CAPCON_CONST kSpecReceivers = 16u;   // 1: what shades are surfaces that rays met, 0: those that pixels see
+CAPCON_CONST kSpecQueue = 17u;       // 1: a subgroup has a queue of rays, and lanes that are done take the next
+CAPCON_CONST kSpecGroupSize = 18u;   // lanes of a workgroup of kernels that can have a queue
 
 // Bindings of every kernel; those that a kernel does not name are left out of its layout.
 CAPCON_CONST kBindNodes = 0u;       // data texels: four a BVH node
@@ -100,7 +104,8 @@ CAPCON_CONST kBindVirtualLights = 20u;  // data texels: five a virtual light (sh
 CAPCON_CONST kBindPaths = 21u;      // a light path's ray, storage: three texels
 CAPCON_CONST kBindPathHits = 22u;   // where light paths hit, storage: five texels, as a virtual light has
 CAPCON_CONST kBindFound = 23u;      // surfaces that compensation rays met, storage: six texels (compensation.comp)
-CAPCON_CONST kBindCount = 24u;
+CAPCON_CONST kBindQueue = 24u;      // where subgroups' queues of rays go on, storage (tracing/ray_queue.glsl)
+CAPCON_CONST kBindCount = 25u;
 
 // Ids in a primitive's first texel (word 3): triangles count from 0, quadrics carry this bit and their index.
 CAPCON_CONST kQuadricBit = 0x80000000u;
@@ -180,7 +185,9 @@ struct OcclusionConstants {
   float radius;
   uint group_stride;  // coprime to the number of groups, both below 2^16: spreads the work over the driver's threads
   uint band;          // the first pixel that surfaces and counts are kept for
-  uint pad0, pad1, pad2;
+  uint group_rays;    // with a queue: rays of a workgroup
+  uint enough;        // iterations after which no more rays begin
+  uint resumed;       // 1: where the dispatch before it ended
 };
 
 // points.comp: the points of pixels 0 ... pixel_count - 1, numbered through, from `first` on.
@@ -297,7 +304,10 @@ struct RayConstants {
   uint first;         // ray of this batch
   uint count;         // rays of this batch
   uint group_stride;  // as above
-  uint pad;
+  uint group_rays;    // and these
+  uint enough;
+  uint resumed;
+  uint pad0, pad1;
 };
 
 #ifdef __cplusplus

@@ -11,8 +11,11 @@
 namespace capcon {
 namespace {
 
-KernelVariant occlusion_variant(std::uint32_t sampler_id, bool ordered) {
-  return {"occlusion", {{layout::kSpecSampler, sampler_id}, {layout::kSpecOrdered, ordered ? 1 : 0}}};
+KernelVariant occlusion_variant(const RendererState& state, std::uint32_t sampler_id, bool ordered) {
+  KernelVariant variant{"occlusion", state.ray_queue.constants()};
+  variant.constants[layout::kSpecSampler] = sampler_id;
+  variant.constants[layout::kSpecOrdered] = ordered ? 1 : 0;
+  return variant;
 }
 
 /// One job under way.
@@ -40,7 +43,7 @@ class AmbientOcclusionPass : Pass {
     result_.timings.wall["points"] = seconds_since(start);
     if (jittered) s_.set_image_sampler(tables_);
     primary_ = &s_.kernel(s_.primary_variant(jittered, tables_.id, PixelFilter::box));
-    occlusion_ = &s_.kernel(occlusion_variant(tables_.id, !order.empty()));
+    occlusion_ = &s_.kernel(occlusion_variant(s_, tables_.id, !order.empty()));
     result_.timings.wall["compile"] = s_.kernels.take_compile_seconds();
     result_.first_dispatch = Clock::now();
     each_band([&](std::uint32_t first) {
@@ -83,11 +86,12 @@ class AmbientOcclusionPass : Pass {
                  [&](std::uint32_t first, std::uint32_t pixels) {
                    push.first_pixel = band_ + first;
                    push.pixel_count = pixels;
-                   const std::uint32_t groups = groups_for(std::uint64_t(pixels) * push.samples);
-                   push.group_stride = spreading_stride(groups);
-                   submit(*occlusion_, &push, groups, "occlusion");
-                   progress(static_cast<double>(pixels) * push.samples,
-                            static_cast<double>(pixels_) * (end_ - from_));
+                   const std::uint64_t rays = std::uint64_t(pixels) * push.samples;
+                   const std::uint32_t groups = s_.ray_queue.deal(push, rays);
+                   do {
+                     submit(*occlusion_, &push, groups, "occlusion", push.resumed == 0 ? rays : 0);
+                   } while (s_.ray_queue.left(push));
+                   progress(static_cast<double>(rays), static_cast<double>(pixels_) * (end_ - from_));
                  });
     }
   }
@@ -119,7 +123,7 @@ std::vector<KernelVariant> ambient_occlusion_kernels(const RendererState& state,
   const auto sampler = make_sampler(job.sampler, job.samples, job.seed, 1, state.film.width);
   const std::uint32_t id = sampler->tables({}).id;
   return {state.primary_variant(jittered, id, PixelFilter::box),
-          occlusion_variant(id, !jittered && !sample_order(*sampler).empty())};
+          occlusion_variant(state, id, !jittered && !sample_order(*sampler).empty())};
 }
 
 RenderResult render_ambient_occlusion(RendererState& state, const AmbientOcclusionJob& job, int first_row,

@@ -25,6 +25,9 @@ struct RendererOptions {
   bool validate = false;  ///< load the Khronos validation layer; its messages make the render fail
   /// Lanes of each dispatch, for tests; 0: adapted to the device's speed. No bit of an image depends on it.
   std::uint64_t batch_lanes = 0;
+  /// Iterations of its loops after which a subgroup begins no more rays of its queue (render/ray_queue.h): far
+  /// below the 65,535 after which lavapipe ends an invocation. Tests may want fewer.
+  std::uint32_t queue_iterations = 16384;
   bool keep_everything =
       false;  ///< upload and compile what the job does not need, too: for `capcon render --explain`
 };

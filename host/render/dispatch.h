@@ -7,7 +7,7 @@ namespace capcon {
 /// The most lanes of one dispatch; render/batches.h makes them fewer where they take long. CPU devices gain
 /// nothing by more than the second, and a piece of a large scene can cost ten times as much as the one before
 /// it.
-constexpr std::uint64_t kBatchLanes = 1 << 19, kCpuBatchLanes = 1 << 17;
+constexpr std::uint64_t kBatchLanes = 1 << 19, kCpuBatchLanes = 1 << 18;
 
 /// Samples of a pixel in one dispatch, at most, so that one pixel makes no long dispatch.
 constexpr std::uint32_t kMostSamples = 1u << 14;

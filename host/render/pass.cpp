@@ -38,15 +38,15 @@ void Pass::primary(const gpu::Kernel& kernel, const SamplerTables& tables, bool 
              });
 }
 
-void Pass::submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups,
-                  const std::string& stage) {
+void Pass::submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups, const std::string& stage,
+                  std::uint64_t lanes) {
   const auto start = Clock::now();
   gpu::Commands commands(s_.device);
   commands.dispatch(kernel, push, groups, stage);
   commands.submit_and_wait();
   for (const auto& time : commands.times()) {
     result_.timings.device[time.stage] += time.seconds;
-    batches_.took(kernel, std::uint64_t(groups) * layout::kGroupSize, time.seconds);
+    batches_.took(kernel, lanes, time.seconds);
   }
   result_.timings.wall[stage] += seconds_since(start);
   if (on_progress_) on_progress_(fraction_);

@@ -49,7 +49,12 @@ class Pass {
 
   /// Runs a kernel and waits; its time counts for `stage`, and for the size of its batches. Then the caller
   /// is told how far the job is, who may throw.
-  void submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups, const std::string& stage);
+  void submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups, const std::string& stage) {
+    submit(kernel, push, groups, stage, std::uint64_t(groups) * layout::kGroupSize);
+  }
+  /// The same, of a kernel whose groups have other numbers of lanes: so many in all.
+  void submit(const gpu::Kernel& kernel, const void* push, std::uint32_t groups, const std::string& stage,
+              std::uint64_t lanes);
 
   /// A value of the image: the mean over a pixel's samples, `sum` over their number, and `more`. Of a share
   /// the sum stays one.

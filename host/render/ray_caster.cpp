@@ -23,6 +23,7 @@ RayCaster::~RayCaster() = default;
 double RayCaster::cast(bool any) {
   auto constants = state_.scene_constants;
   constants[layout::kSpecAnyHit] = any ? 1 : 0;
+  constants.merge(any ? state_.ray_queue.constants() : Constants());
   const auto bind = [&](gpu::Kernel& kernel) {
     state_.bind_all(kernel);
     kernel.bind(layout::kBindRays, buffers_->rays);
@@ -37,13 +38,15 @@ double RayCaster::cast(bool any) {
   for (std::size_t first = 0; first < count_; first += push.count) {
     push.first = static_cast<std::uint32_t>(first);
     push.count = static_cast<std::uint32_t>(std::min<std::size_t>(batches.lanes(kernel), count_ - first));
-    const std::uint32_t groups = groups_for(push.count);
-    push.group_stride = spreading_stride(groups);
-    gpu::Commands commands(state_.device);
-    commands.dispatch(kernel, &push, groups, "rays");
-    commands.submit_and_wait();
-    batches.took(kernel, push.count, commands.times().front().seconds);
-    seconds += commands.times().front().seconds;
+    const std::uint32_t groups = any ? state_.ray_queue.deal(push, push.count) : groups_for(push.count);
+    if (!any) push.group_stride = spreading_stride(groups);
+    do {
+      gpu::Commands commands(state_.device);
+      commands.dispatch(kernel, &push, groups, "rays");
+      commands.submit_and_wait();
+      batches.took(kernel, push.resumed == 0 ? push.count : 0, commands.times().front().seconds);
+      seconds += commands.times().front().seconds;
+    } while (any && state_.ray_queue.left(push));
   }
   return seconds;
 }

@@ -73,6 +73,10 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
   scene_constants[layout::kSpecInstances] = features.two_level ? 1 : 0;
   scene_constants[layout::kSpecDetails] = features.shading ? 1 : 0;
   scene_constants[layout::kSpecStackSize] = stack_array(0);
+  const auto make_queue = [&] {
+    ray_queue = RayQueue(device, kernels.texel_fetch(), kCpuBatchLanes, options.queue_iterations);
+  };
+  make_queue();
   setup.wall["device"] = context->open_seconds;
   check_size(scene, wants_two_levels(scene, options.instancing), description);
   auto start = Clock::now();
@@ -111,6 +115,7 @@ RendererState::RendererState(const Scene& scene, const RendererOptions& options,
     largest = std::max(largest, buffer->bytes());
   if (options.fetch == "auto" && !fits(description, largest, kernels.texel_fetch())) {
     kernels.set_texel_fetch(fits(description, largest, true));
+    make_queue();
   }
   upload(geometry);
   setup.wall["upload"] = seconds_since(start);
@@ -231,6 +236,7 @@ void RendererState::bind_all(gpu::Kernel& kernel, const KernelVariant& variant) 
   kernel.bind(layout::kBindPaths, paths);
   kernel.bind(layout::kBindPathHits, path_hits);
   kernel.bind(layout::kBindFound, found);
+  ray_queue.bind(kernel);
 }
 
 void RendererState::bind_again() const {

@@ -14,6 +14,7 @@
 #include "render/dispatch.h"
 #include "render/features.h"
 #include "render/placement.h"
+#include "render/ray_queue.h"
 #include "render/renderer.h"
 #include "render/shading_data.h"
 #include "render/view.h"
@@ -56,6 +57,7 @@ struct RendererState {
   /// compensation rays met.
   gpu::Buffer gather_table, virtual_lights, paths, path_hits, found, receivers, receiver_shading,
       receiver_sums;
+  RayQueue ray_queue;
   DeviceLights light_list;             ///< empty without Features::shading
   std::vector<std::string> warnings;   ///< of materials and lights
   BoundingSphere bounds;               ///< of the scene

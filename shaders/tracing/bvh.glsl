@@ -108,8 +108,68 @@ vec4 half_extent(uvec4 word, float slack) {
 #define CAN_VISIT \
   (is_node(node) && mask1 == 0u && !STACK_FULL && (kInstances == 0u || mask == 0u || place.instance != kNoNode))
 
-// Whether a ray that starts within the scene's bounds meets anything. Which child comes first hardly matters here, so that
-// nothing is sorted.
+// One node of a walk that asks for any hit. Which child comes first hardly matters here, so that nothing is sorted.
+#define VISIT_ANY \
+  { \
+    bool run = CAN_VISIT; \
+    uint at = (run ? node : 0u) * 4u; \
+    uvec4 x = FETCH(node_texels, at); \
+    uvec4 y = FETCH(node_texels, at + 1u); \
+    uvec4 z = FETCH(node_texels, at + 2u); \
+    uvec4 links = FETCH(node_texels, at + 3u); \
+    float reach = place.ray.t_max * kFarther; \
+    MEET_BOXES(place.grid, x, y, z, reach) \
+    uint leaf = (met.x ? links.z & 0xffffu : 0u) | (met.y ? links.z >> 16u : 0u) | \
+                (met.z ? links.w & 0xffffu : 0u) | (met.w ? links.w >> 16u : 0u); \
+    uint inner = ((met.x ? 1u : 0u) | (met.y ? 2u : 0u) | (met.z ? 4u : 0u) | (met.w ? 8u : 0u)) & links.x; \
+    leaf = run ? leaf : 0u; \
+    PENDING_ADD(leaf, links.y) \
+    bool pop = inner == 0u; \
+    uint group = pop ? s0 : (links.x & ~15u) | inner; \
+    uint rest = mask_rest(group); \
+    bool more = (rest & 15u) != 0u; \
+    bool push = run && !pop && more;  /* what is left of the children goes on top */ \
+    bool drop = run && pop && !more;  /* the top group is used up */ \
+    bool keep = run && pop && more; \
+    STACK_MOVE(push, rest, drop, keep, rest) \
+    node = run ? mask_node(group) : node; \
+  }
+
+// One primitive of each lane that has found some.
+#define TEST_ANY \
+  { \
+    bool testing = mask != 0u; \
+    uint bit = testing ? uint(findLSB(mask)) : 0u; \
+    mask &= mask - 1u; \
+    uint id; \
+    vec4 met = meet_primitive(place.ray, place.frame, first + bit, id); \
+    bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && counts(ray, id + place.first_id); \
+    hit = hit || nearer; \
+    mask1 = nearer ? 0u : mask1; \
+    mask = nearer ? 0u : mask; \
+    PENDING_NEXT \
+  }
+
+// Between rounds of a walk for any hit: a lane whose registers are full or empty moves entries to or from the array, and may
+// change the level. One that has a hit is done.
+#define NEXT_ROUND_ANY \
+  { \
+    STACK_SPILL \
+    node = hit ? kNoNode : node; \
+    waiting_count = hit ? 0u : waiting_count; \
+    bool refill = node == kNoNode && waiting_count != 0u; \
+    waiting_count -= refill ? 1u : 0u; \
+    uint group = refill ? waiting[waiting_count] : 0u; \
+    uint rest = mask_rest(group); \
+    s0 = refill && (rest & 15u) != 0u ? rest : s0; \
+    node = refill ? mask_node(group) : node; \
+    if (kInstances != 0u) { \
+      bool push = switch_level(levels, place, node, ray, tree, mask == 0u); \
+      STACK_PUSH(push, kMaskSentinel) \
+    } \
+  }
+
+// Whether a ray that starts within the scene's bounds meets anything.
 bool occluded(Ray ray, TreeConstants tree, bool live) {
   ray.t_max = live ? ray.t_max : -1.0;  // a lane without a ray leaves the root at once
   Place place = world_place(ray, tree, true);
@@ -120,56 +180,10 @@ bool occluded(Ray ray, TreeConstants tree, bool live) {
   PENDING
   float zero = min(abs(ray.direction.x), 0.0);  // no constant, so that maxima with it stay one instruction
   do {
-    do {
-      bool run = CAN_VISIT;
-      uint at = (run ? node : 0u) * 4u;
-      uvec4 x = FETCH(node_texels, at);
-      uvec4 y = FETCH(node_texels, at + 1u);
-      uvec4 z = FETCH(node_texels, at + 2u);
-      uvec4 links = FETCH(node_texels, at + 3u);
-      float reach = place.ray.t_max * kFarther;
-      MEET_BOXES(place.grid, x, y, z, reach)
-      uint leaf = (met.x ? links.z & 0xffffu : 0u) | (met.y ? links.z >> 16u : 0u) |
-                  (met.z ? links.w & 0xffffu : 0u) | (met.w ? links.w >> 16u : 0u);
-      uint inner = ((met.x ? 1u : 0u) | (met.y ? 2u : 0u) | (met.z ? 4u : 0u) | (met.w ? 8u : 0u)) & links.x;
-      leaf = run ? leaf : 0u;
-      PENDING_ADD(leaf, links.y)
-      bool pop = inner == 0u;
-      uint group = pop ? s0 : (links.x & ~15u) | inner;
-      uint rest = mask_rest(group);
-      bool more = (rest & 15u) != 0u;
-      bool push = run && !pop && more;  // what is left of the children goes on top
-      bool drop = run && pop && !more;  // the top group is used up
-      bool keep = run && pop && more;
-      STACK_MOVE(push, rest, drop, keep, rest)
-      node = run ? mask_node(group) : node;
-    } while (any_lane(is_node(node) && mask == 0u && !STACK_FULL));
+    do VISIT_ANY while (any_lane(is_node(node) && mask == 0u && !STACK_FULL));
     if (kInstances != 0u) take_instances(levels, place, first, mask);
-    do {
-      bool testing = mask != 0u;
-      uint bit = testing ? uint(findLSB(mask)) : 0u;
-      mask &= mask - 1u;
-      uint slot = first + bit;
-      uint id;
-      vec4 met = meet_primitive(place.ray, place.frame, slot, id);
-      bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && counts(ray, id + place.first_id);
-      hit = hit || nearer;
-      mask1 = nearer ? 0u : mask1;
-      mask = nearer ? 0u : mask;
-      PENDING_NEXT
-    } while (mask != 0u);
-    STACK_SPILL
-    bool refill = node == kNoNode && waiting_count != 0u;
-    waiting_count -= refill ? 1u : 0u;
-    uint group = refill ? waiting[waiting_count] : 0u;
-    uint rest = mask_rest(group);
-    s0 = refill && (rest & 15u) != 0u ? rest : s0;
-    node = refill ? mask_node(group) : node;
-    if (kInstances != 0u) {
-      bool push = switch_level(levels, place, node, ray, tree);
-      STACK_PUSH(push, kMaskSentinel)
-    }
-    node = hit ? kNoNode : node;
+    do TEST_ANY while (mask != 0u);
+    NEXT_ROUND_ANY
   } while (node != kNoNode);
   return hit;
 }
@@ -266,7 +280,7 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
     if (kInstances != 0u) {
       Ray world = ray;
       world.t_max = hit.t;
-      bool push = switch_level(levels, place, node, world, tree);
+      bool push = switch_level(levels, place, node, world, tree, true);
       STACK_PUSH(push, kListSentinel)
     }
   } while (node != kNoNode);

@@ -86,11 +86,11 @@ void take_instances(inout Levels levels, Place place, uint first, inout uint mas
 }
 
 // Between rounds: from the world into the next instance that waits, from an instance into the next or back. Returns whether
-// the sentinel is to be pushed. `world`: the ray with its present reach.
-bool switch_level(inout Levels levels, inout Place place, inout uint node, Ray world, TreeConstants tree) {
+// the sentinel is to be pushed. `world`: the ray with its present reach; `tested`: no primitive waits.
+bool switch_level(inout Levels levels, inout Place place, inout uint node, Ray world, TreeConstants tree, bool tested) {
   bool in_world = place.instance == kNoNode;
   bool arrived = in_world && levels.mask != 0u;
-  bool finished = !in_world && node == kLeaveNode;
+  bool finished = !in_world && node == kLeaveNode && tested;
   levels.world_node = arrived ? node : levels.world_node;
   bool enter = (arrived || finished) && levels.mask != 0u;
   uint instance = levels.first + uint(findLSB(enter ? levels.mask : 1u));

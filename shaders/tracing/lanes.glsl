@@ -11,6 +11,18 @@ bool any_lane(bool wants) {
   if (gl_SubgroupSize > 8u) v |= subgroupShuffleXor(v, 8u);
   return v != 0u;
 }
+
+// How many lanes want it, told to all of them. All lanes of a subgroup must be there, and take part.
+uint lanes_with(bool wants) {
+  uint v = wants ? 1u : 0u;
+  v += subgroupShuffleXor(v, 1u);
+  v += subgroupShuffleXor(v, 2u);
+  uint half8 = subgroupShuffleXor(v, 4u);
+  v += gl_SubgroupSize > 4u ? half8 : 0u;
+  uint half16 = subgroupShuffleXor(v, 8u);
+  v += gl_SubgroupSize > 8u ? half16 : 0u;
+  return v;
+}
 #else
 #extension GL_KHR_shader_subgroup_vote : require
 bool any_lane(bool wants) { return subgroupAny(wants); }

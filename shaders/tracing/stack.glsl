@@ -31,3 +31,10 @@ layout(constant_id = kSpecStackSize) const uint kWaiting = 16u;  // entries the 
     waiting_count += spill ? 1u : 0u; \
     s7 = spill ? 0u : s7; \
   }
+
+#define STACK_CLEAR(clear) \
+  { \
+    s0 = clear ? 0u : s0; s1 = clear ? 0u : s1; s2 = clear ? 0u : s2; s3 = clear ? 0u : s3; \
+    s4 = clear ? 0u : s4; s5 = clear ? 0u : s5; s6 = clear ? 0u : s6; s7 = clear ? 0u : s7; \
+    waiting_count = clear ? 0u : waiting_count; \
+  }
