@@ -17,3 +17,17 @@ uint spread_group(uint stride) {
   uint product = gl_WorkGroupID.x * stride;
   return product - divide(product, gl_NumWorkGroups.x) * gl_NumWorkGroups.x;
 }
+
+// The place of a lane's pixel among `count` in a row after row order of images of this width: in every two rows blocks of 4 x 2, so
+// that lanes that run in step lie close together. What is left of the last two rows keeps its order.
+uint block_place(uint lane, uint count, uint width) {
+  uint strip = divide_small(lane, 2u * width);
+  uint first = strip * 2u * width;
+  uint r = lane - first;
+  uint blocks = width >> 2u, rest = width & 3u;
+  uint beyond = r - 8u * blocks;
+  uint row = divide_small(beyond, max(rest, 1u));
+  uint in_block = (r >> 3u) * 4u + (r & 3u) + ((r >> 2u) & 1u) * width;
+  uint in_rest = 4u * blocks + (beyond - row * rest) + row * width;
+  return first + 2u * width > count ? lane : first + (r < 8u * blocks ? in_block : in_rest);
+}

@@ -32,8 +32,8 @@ void main() {
   uint width = floatBitsToUint(push.eye.w);
   uint pixels = floatBitsToUint(push.corner.w);
   uint local = gl_GlobalInvocationID.x;
-  uint pixel = push.first_pixel + local;
   bool live = local < pixels;
+  uint pixel = push.first_pixel + (live ? block_place(local, pixels, width) : 0u);
   vec2 film = vec2(float(pixel % width) + 0.5, float(pixel / width) + 0.5);
   if (kJittered != 0u && floatBitsToUint(push.down.w) != 0u) {
     uint place = shuffled(push.seed, push.count, push.words.z, pixel, push.sample_index, kPairImage);

@@ -25,27 +25,6 @@ const float kFarther = 1.0000012;  // the reach's share of the rounding of a box
 vec4 later(vec4 a, vec4 b) { return mix(b, a, greaterThan(a, b)); }
 vec4 sooner(vec4 a, vec4 b) { return mix(b, a, lessThan(a, b)); }
 
-// What the ray says to the primitive in a slot: distance (below 0: nothing) and a triangle's weights; the primitive's id.
-vec4 meet_primitive(Ray ray, RayFrame frame, uint slot, out uint id) {
-  uvec4 w0 = FETCH(primitive_texels, slot * 3u);
-  uvec4 w1 = FETCH(primitive_texels, slot * 3u + 1u);
-  uvec4 w2 = FETCH(primitive_texels, slot * 3u + 2u);
-  vec4 met = meet_triangle(ray, frame, uintBitsToFloat(w0.xyz), uintBitsToFloat(w1.xyz), uintBitsToFloat(w2.xyz));
-  if (kHasQuadrics != 0u) {
-    bool quadric = (w0.w & kQuadricBit) != 0u;
-    vec4 other = met;
-    bool waits = quadric;
-    while (waits) {  // a jump over it all where no lane has one
-      float t = meet_quadric(ray, waits ? w0.w & ~kQuadricBit : 0u, 0.0);
-      other = waits ? vec4(t, 0.0, 0.0, 0.0) : other;
-      waits = false;
-    }
-    met = other;
-  }
-  id = w0.w;
-  return met;
-}
-
 // The id of what was hit, counted over all instances.
 uint hit_id(Hit hit) {
   if (hit.slot == kNoPrimitive) return kNoPrimitive;
@@ -84,7 +63,8 @@ vec4 half_extent(uvec4 word, float slack) {
 // look for their first leaf, it goes on to its second (speculative traversal: Aila and Laine 2009).
 #define PENDING \
   uint first = 0u, mask = 0u; \
-  uint first1 = 0u, mask1 = 0u;
+  uint first1 = 0u, mask1 = 0u; \
+  uint quadric = kNoPrimitive;  /* the id of the first one's next primitive, if that is none of a triangle */
 
 #define PENDING_ADD(leaf, at_slot) \
   { \
@@ -135,20 +115,44 @@ vec4 half_extent(uvec4 word, float slack) {
     node = run ? mask_node(group) : node; \
   }
 
-// One primitive of each lane that has found some.
-#define TEST_ANY \
-  { \
-    bool testing = mask != 0u; \
-    uint bit = testing ? uint(findLSB(mask)) : 0u; \
-    mask &= mask - 1u; \
-    uint id; \
-    vec4 met = meet_primitive(place.ray, place.frame, first + bit, id); \
-    bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && counts(ray, id + place.first_id); \
-    hit = hit || nearer; \
-    mask1 = nearer ? 0u : mask1; \
-    mask = nearer ? 0u : mask; \
-    PENDING_NEXT \
-  }
+// One primitive of each lane that has found some: `met` is what the ray says to a triangle, `nearer` whether it counts. A sphere or
+// disk is left to MEET_QUADRICS, and its lane with it: there is no jump over code that only some lanes need, and a test of a
+// quadric takes as long as one of a triangle.
+#define MEET_TRIANGLES \
+  bool testing = mask != 0u && quadric == kNoPrimitive; \
+  uint slot = first + (testing ? uint(findLSB(mask)) : 0u); \
+  uvec4 w0 = FETCH(primitive_texels, slot * 3u); \
+  uvec4 w1 = FETCH(primitive_texels, slot * 3u + 1u); \
+  uvec4 w2 = FETCH(primitive_texels, slot * 3u + 2u); \
+  if (kHasQuadrics != 0u) { \
+    bool other = testing && (w0.w & kQuadricBit) != 0u; \
+    quadric = other ? w0.w : quadric; \
+    testing = testing && !other; \
+  } \
+  vec4 met = meet_triangle(place.ray, place.frame, uintBitsToFloat(w0.xyz), uintBitsToFloat(w1.xyz), uintBitsToFloat(w2.xyz)); \
+  bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && counts(ray, w0.w + place.first_id); \
+  mask &= kHasQuadrics == 0u || testing ? mask - 1u : mask;
+
+#define CAN_TEST (mask != 0u && quadric == kNoPrimitive)
+
+// The same for the sphere or disk that a lane waits with.
+#define MEET_QUADRICS \
+  bool testing = quadric != kNoPrimitive; \
+  uint slot = first + (testing ? uint(findLSB(mask)) : 0u); \
+  float t = meet_quadric(place.ray, testing ? quadric & ~kQuadricBit : 0u, 0.0); \
+  bool nearer = testing && t > 0.0 && t < place.ray.t_max && counts(ray, quadric + place.first_id); \
+  mask &= testing ? mask - 1u : mask; \
+  quadric = kNoPrimitive;
+
+// What that means to a walk for any hit.
+#define TAKE_ANY \
+  hit = hit || nearer; \
+  mask1 = nearer ? 0u : mask1; \
+  mask = nearer ? 0u : mask; \
+  PENDING_NEXT
+
+#define TEST_ANY { MEET_TRIANGLES TAKE_ANY }
+#define TEST_ANY_QUADRICS if (kHasQuadrics != 0u) { MEET_QUADRICS TAKE_ANY }
 
 // Between rounds of a walk for any hit: a lane whose registers are full or empty moves entries to or from the array, and may
 // change the level. One that has a hit is done.
@@ -182,9 +186,10 @@ bool occluded(Ray ray, TreeConstants tree, bool live) {
   do {
     do VISIT_ANY while (any_lane(is_node(node) && mask == 0u && !STACK_FULL));
     if (kInstances != 0u) take_instances(levels, place, first, mask);
-    do TEST_ANY while (mask != 0u);
+    do TEST_ANY while (any_lane(CAN_TEST));
+    TEST_ANY_QUADRICS
     NEXT_ROUND_ANY
-  } while (node != kNoNode);
+  } while (any_lane(node != kNoNode || mask != 0u));
   return hit;
 }
 
@@ -195,6 +200,16 @@ uint list_rest(uint group) {
   return left <= 1u ? 0u : (group & 0xffffff00u) | ((group & 0xf0u) >> 2u) | (left - 1u);
 }
 uint list_node(uint group) { return (group & 3u) == 0u ? ~(group >> 8u) : (group >> 8u) + ((group >> 2u) & 3u); }
+
+// What a primitive that is nearer means to a walk for the closest.
+#define TAKE_CLOSEST(weights_met) \
+  hit.slot = nearer ? slot : hit.slot; \
+  if (kInstances != 0u) { \
+    hit.t = nearer ? place.ray.t_max / place.scale : hit.t; \
+    hit.instance = nearer ? place.instance : hit.instance; \
+  } \
+  hit.weights = nearer ? weights_met : hit.weights; \
+  PENDING_NEXT
 
 // The nearest primitive that a ray from anywhere meets.
 Hit closest(Ray ray, TreeConstants tree, bool live) {
@@ -255,22 +270,15 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
     } while (any_lane(is_node(node) && mask == 0u && !STACK_FULL));
     if (kInstances != 0u) take_instances(levels, place, first, mask);
     do {
-      bool testing = mask != 0u;
-      uint bit = testing ? uint(findLSB(mask)) : 0u;
-      mask &= mask - 1u;
-      uint slot = first + bit;
-      uint id;
-      vec4 met = meet_primitive(place.ray, place.frame, slot, id);
-      bool nearer = testing && met.x > 0.0 && met.x < place.ray.t_max && counts(ray, id + place.first_id);
+      MEET_TRIANGLES
       place.ray.t_max = nearer ? met.x : place.ray.t_max;
-      hit.slot = nearer ? slot : hit.slot;
-      if (kInstances != 0u) {
-        hit.t = nearer ? met.x / place.scale : hit.t;
-        hit.instance = nearer ? place.instance : hit.instance;
-      }
-      hit.weights = nearer ? met.yzw : hit.weights;
-      PENDING_NEXT
-    } while (mask != 0u);
+      TAKE_CLOSEST(met.yzw)
+    } while (any_lane(CAN_TEST));
+    if (kHasQuadrics != 0u) {
+      MEET_QUADRICS
+      place.ray.t_max = nearer ? t : place.ray.t_max;
+      TAKE_CLOSEST(vec3(0.0))
+    }
     STACK_SPILL
     bool refill = node == kNoNode && waiting_count != 0u;
     waiting_count -= refill ? 1u : 0u;
@@ -280,10 +288,10 @@ Hit closest(Ray ray, TreeConstants tree, bool live) {
     if (kInstances != 0u) {
       Ray world = ray;
       world.t_max = hit.t;
-      bool push = switch_level(levels, place, node, world, tree, true);
+      bool push = switch_level(levels, place, node, world, tree, mask == 0u);
       STACK_PUSH(push, kListSentinel)
     }
-  } while (node != kNoNode);
+  } while (any_lane(node != kNoNode || mask != 0u));
   if (kInstances == 0u) hit.t = place.ray.t_max;
   return hit;
 }

@@ -85,7 +85,8 @@ uint occluded_rays(uint begin, uint end, uint enough, TreeConstants tree) {
       do {
         TEST_ANY
         ++iterations;
-      } while (lanes_with(mask != 0u) > few_tests);
+      } while (lanes_with(CAN_TEST) > few_tests);
+      TEST_ANY_QUADRICS
       NEXT_ROUND_ANY
     } while (lanes_with(node == kNoNode && mask == 0u) < enough_done);
   }
