@@ -26,16 +26,12 @@ Start from_area(Light l, uvec2 u, uvec2 v, float side) {
     at = l.kind == kLightRectangle ? l.position + p.x * l.axis_u + p.y * l.axis_v : at;
   }
   if (has_light(kLightTriangles)) {
-    bool triangles = l.kind == kLightTriangles;
-    bool waits = triangles;
-    while (waits) {  // other kinds have none
+    if (l.kind == kLightTriangles) {
       TrianglePoint p = point_of_triangles(l, u);
-      at = triangles ? p.at : at;
-      n = triangles ? normalize(p.cross_product) : n;
-      bool quadric = (l.first_primitive & kQuadricBit) != 0u;
-      first = triangles && !quadric ? l.first_primitive + p.number : first;
-      more = triangles ? 0u : more;
-      waits = false;
+      at = p.at;
+      n = normalize(p.cross_product);
+      first += (l.first_primitive & kQuadricBit) == 0u ? p.number : 0u;
+      more = 0u;
     }
   }
   bool inward = (l.flags & kLightInward) != 0u;
@@ -70,15 +66,12 @@ Start from_afar(Light l, uvec2 u, uvec2 v) {
   w = constant || point ? around : w;
   density = constant || point ? 0.25 / kPi : density;
   if (has_light(kLightMap)) {
-    bool mapped = l.kind == kLightMap;
-    bool waits = mapped;
-    while (waits) {  // other kinds have no map
+    if (l.kind == kLightMap) {
       Map m = load_map(l.place);
       vec4 d = sample_map(m, v);
-      w = mapped ? normalize(from_map(l, d.xyz)) : w;
-      radiance = mapped ? radiance * map_value(m, map_square(m, d.xyz)) : radiance;
-      density = mapped ? d.w : density;
-      waits = false;
+      w = normalize(from_map(l, d.xyz));
+      radiance *= map_value(m, map_square(m, d.xyz));
+      density = d.w;
     }
   }
   float radius = push.bounds.w;

@@ -32,9 +32,11 @@ Constants RayQueue::constants() const {
   return {{layout::kSpecQueue, 1}, {layout::kSpecGroupSize, layout::kQueueGroupSize}};
 }
 
-RayQueue::Deal RayQueue::deal(std::uint64_t rays) const {
+RayQueue::Deal RayQueue::deal(std::uint64_t rays) {
   Deal d{};
   if (used_) {
+    const std::uint32_t none = 0;  // a job that was cancelled may have left some
+    next_.upload(&none, 4);
     const std::uint64_t each =
         std::clamp<std::uint64_t>(rays / (groups_to_share() * kLanes), 1, kMostRaysALane);
     d.group_rays = static_cast<std::uint32_t>(each * kLanes);

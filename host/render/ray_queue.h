@@ -27,7 +27,7 @@ class RayQueue {
   /// Deals out so many rays: fills in the push constants' `group_stride`, `group_rays`, `enough` and
   /// `resumed`. Returns the number of workgroups.
   template <class Push>
-  std::uint32_t deal(Push& push, std::uint64_t rays) const {
+  std::uint32_t deal(Push& push, std::uint64_t rays) {
     const Deal d = deal(rays);
     push.group_stride = d.stride;
     push.group_rays = d.group_rays;
@@ -46,7 +46,7 @@ class RayQueue {
   struct Deal {
     std::uint32_t groups, group_rays, stride;
   };
-  Deal deal(std::uint64_t rays) const;
+  Deal deal(std::uint64_t rays);
   bool left();
 
   bool used_ = false;

@@ -28,13 +28,9 @@ uint component_choice(uint seed, uint pixel, uint part, uint index, uvec4 split,
   uint number = kPairComponent + (part << 16u);
   uint cell = permute(index, split.y, set_words(seed, pixel, number, kPurposeSet).y);
   uint cells = split.y;
-  bool finer = !separate && split.x > 1u;
-  bool waits = finer;
-  while (waits) {  // a jump over it all where a set has one part
-    uint inner = permute(part, split.x, set_words(seed, pixel, kPairComponent, kPurposeFiner + cell).y);
-    cell = waits ? cell * split.x + inner : cell;
-    cells = waits ? cells * split.x : cells;
-    waits = false;
+  if (!separate && split.x > 1u) {
+    cell = cell * split.x + permute(part, split.x, set_words(seed, pixel, kPairComponent, kPurposeFiner + cell).y);
+    cells *= split.x;
   }
   uint width = 0xffffffffu / max(cells, 1u);
   uint high, low;

@@ -95,12 +95,7 @@ vec4 evaluate_bsdf(Bsdf b, vec3 i) {
     f = b.kind == kHasSubstrate ? b.base * (1.0 - b.specular) * under + schlick(b.specular, oh) * facets : f;
   }
   if (has(kHasMeasured)) {
-    bool waits = b.kind == kHasMeasured;
-    bool measured = waits;
-    while (waits) {  // a jump over it all where no lane has one
-      f = measured ? measured_value(b.table, i, b.o) : f;
-      waits = false;
-    }
+    if (b.kind == kHasMeasured) f = measured_value(b.table, i, b.o);
   }
   return vec4(f, mix(cosine_pdf, normals_pdf, b.chance));
 }

@@ -35,11 +35,7 @@ Job this_job() {
   job.live = local < push.pixel_count;
   job.pixel = push.first_pixel + (job.live ? local : 0u);
   job.part = 0u;
-  bool in_parts = push.split.x > 1u;
-  while (in_parts) {
-    job.part = index / push.split.y;
-    in_parts = false;
-  }
+  if (push.split.x > 1u) job.part = index / push.split.y;
   job.index = index - job.part * push.split.y;
   return job;
 }
@@ -73,11 +69,9 @@ uvec2 light_point(Job job, uint dimension, uint domain) {
   uint place = job.index;
   bool waits = !separate_sets();
   uint part = job.part;
-  bool matters = waits && (push.flags & kDirectPlaces) != 0u;
-  while (matters) {  // a jump over the shuffle where it does not matter
+  if (waits && (push.flags & kDirectPlaces) != 0u) {
     uint key = set_words(seed_of(), job.pixel, dimension, kPurposeSet).z;
     part = shuffled_part_only(key, push.split, job.part, dimension);
-    matters = false;
   }
   place += waits ? part * push.split.y : 0u;
   // Which points the first of a longer set are is a matter of their order.
@@ -95,11 +89,7 @@ uvec2 bsdf_point(Job job) {
   bool separate = separate_sets();
   uint place = separate ? job.index : job.part * push.split.y + job.index;
   bool waits = separate && job.part > 0u && (has(kMicrofacets) || kSampler == kSamplerCapconRanked);
-  while (waits) {
-    uint shuffled_place = shuffled(seed_of(), push.split.y, push.split.w, job.pixel, job.index, kPairIntegrand + (job.part << 16u));
-    place = waits ? shuffled_place : place;
-    waits = false;
-  }
+  if (waits) place = shuffled(seed_of(), push.split.y, push.split.w, job.pixel, job.index, kPairIntegrand + (job.part << 16u));
   return point_at(job, place, kPairIntegrand, kDomainDisk);
 }
 
@@ -111,10 +101,6 @@ float choice_of(Job job) {
 
 void write_sample(Job job, vec3 radiance) {
   vec4 before = vec4(0.0);
-  bool adds = (push.flags & kDirectFirst) == 0u;
-  while (adds) {  // reading is a scalar loop over lanes on lavapipe
-    before = samples[job.slot];
-    adds = false;
-  }
+  if ((push.flags & kDirectFirst) == 0u) before = samples[job.slot];
   if (job.live) samples[job.slot] = vec4(radiance, 0.0) + before;
 }
