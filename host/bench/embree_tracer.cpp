@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstring>
 
+#include "base/parallel.h"
 #include "layout.h"
 
 namespace capcon {
@@ -49,7 +50,7 @@ void set_ray(RTCRayHit& r, const DeviceRay& ray) {
 }
 
 void cast_single(RTCScene scene, std::span<const DeviceRay> rays, bool any,
-                 const std::vector<std::uint32_t>& ids, std::vector<DeviceHit>& hits) {
+                 const std::vector<std::uint32_t>& ids, std::span<DeviceHit> hits) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -67,7 +68,7 @@ void cast_single(RTCScene scene, std::span<const DeviceRay> rays, bool any,
 }
 
 void cast_wide(RTCScene scene, std::span<const DeviceRay> rays, bool any,
-               const std::vector<std::uint32_t>& ids, std::vector<DeviceHit>& hits) {
+               const std::vector<std::uint32_t>& ids, std::span<DeviceHit> hits) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   alignas(64) int valid[16];
@@ -95,7 +96,7 @@ void cast_wide(RTCScene scene, std::span<const DeviceRay> rays, bool any,
 }
 
 void cast_stream(RTCScene scene, std::span<const DeviceRay> rays, bool any,
-                 const std::vector<std::uint32_t>& ids, std::vector<DeviceHit>& hits) {
+                 const std::vector<std::uint32_t>& ids, std::span<DeviceHit> hits) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -154,7 +155,11 @@ void EmbreeTracer::cast(std::span<const DeviceRay> rays, bool any, Call call,
                         std::vector<DeviceHit>& hits) const {
   hits.resize(rays.size());
   const auto cast = call == Call::single ? cast_single : call == Call::wide ? cast_wide : cast_stream;
-  cast(state_->scene, rays, any, state_->ids, hits);
+  constexpr std::size_t kPiece = 8 * kStream;
+  parallel_for((rays.size() + kPiece - 1) / kPiece, [&](std::size_t piece) {
+    const std::size_t first = piece * kPiece, count = std::min(kPiece, rays.size() - first);
+    cast(state_->scene, rays.subspan(first, count), any, state_->ids, std::span(hits).subspan(first, count));
+  });
 }
 
 double EmbreeTracer::build_seconds() const {

@@ -26,7 +26,7 @@ class EmbreeTracer {
   static bool available();
 
   double build_seconds() const;
-  /// Casts all rays on the calling thread.
+  /// Casts all rays, on all threads, as the device has them.
   void cast(std::span<const DeviceRay> rays, bool any, Call call, std::vector<DeviceHit>& hits) const;
 
  private:

@@ -97,7 +97,8 @@ void add_bench_verb(CLI::App& app) {
       bench->add_subcommand("tracer", "Rays per CPU second beside Embree's, on the very same rays");
   auto o = std::make_shared<Options>();
   verb->footer(
-      "Everybody casts the same rays in turn, repeat by repeat; ratios are of medians' repeats, beside "
+      "Everybody casts the same rays in turn, on all threads, repeat by repeat; ratios are of medians' "
+      "repeats, beside "
       "rtcIntersect1 (primary,\n"
       "closest hit) and rtcOccluded1 (occlusion, any hit). Ties: the same distance on another triangle.\n"
       "Spheres and disks are left out. With --scaling: how the cost of a ray grows with the number of "

@@ -1,8 +1,8 @@
 #include "render/ray_queue.h"
 
 #include <algorithm>
-#include <thread>
 
+#include "base/parallel.h"
 #include "render/dispatch.h"
 
 namespace capcon {
@@ -14,7 +14,7 @@ constexpr std::uint64_t kMostRaysALane = 64, kGroupsAThread = 32;
 constexpr std::uint64_t kLanes = layout::kQueueGroupSize, kFewestLanes = 4;  // of a subgroup
 
 std::uint64_t groups_to_share() {
-  return kGroupsAThread * std::max(1u, std::thread::hardware_concurrency());
+  return kGroupsAThread * thread_count();
 }
 
 }  // namespace
