@@ -39,7 +39,7 @@ double RayCaster::cast(bool any) {
     push.first = static_cast<std::uint32_t>(first);
     push.count = static_cast<std::uint32_t>(std::min<std::size_t>(batches.lanes(kernel), count_ - first));
     const std::uint32_t groups = any ? state_.ray_queue.deal(push, push.count) : groups_for(push.count);
-    if (!any) push.group_stride = spreading_stride(groups);
+    if (!any) push.group_stride = 1;  // neighbours one after the other, as primary rays are: they share nodes
     do {
       gpu::Commands commands(state_.device);
       commands.dispatch(kernel, &push, groups, "rays");
