@@ -7,22 +7,48 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cstring>
+#include <unordered_map>
 
 #include "base/parallel.h"
+#include "bench/geometry_triangles.h"
 #include "layout.h"
 
 namespace capcon {
 
+namespace {
+
+/// The ids of what Embree calls primitive `primitive` of instance `instance`.
+struct Ids {
+  std::vector<std::uint32_t> world;  // of what is in no object, or of everything
+  struct Instance {
+    const std::vector<std::uint32_t>* object;
+    std::uint32_t first;
+  };
+  std::vector<Instance> instances;
+  std::uint32_t of(unsigned primitive, unsigned instance) const {
+    if (primitive == RTC_INVALID_GEOMETRY_ID) return layout::kNoPrimitive;
+    if (instance == RTC_INVALID_GEOMETRY_ID) return world[primitive];
+    return (*instances[instance].object)[primitive] + instances[instance].first;
+  }
+};
+
+}  // namespace
+
 struct EmbreeTracer::State {
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene scene = rtcNewScene(device);
-  std::vector<std::uint32_t> ids;  // by Embree's primitive number
+  struct Object {
+    RTCScene scene;
+    std::vector<std::uint32_t> ids;
+  };
+  std::unordered_map<std::uint32_t, Object> objects;  // by the root of their tree
+  Ids ids;
   double build_seconds = 0;
   ~State() {
     rtcReleaseScene(scene);
+    for (auto& [root, object] : objects) rtcReleaseScene(object.scene);
     rtcReleaseDevice(device);
   }
 };
@@ -30,6 +56,34 @@ struct EmbreeTracer::State {
 namespace {
 
 constexpr std::size_t kStream = 1024;
+
+void add_triangles(RTCDevice device, RTCScene scene, const Geometry& geometry, const TriangleSlots& triangles,
+                   unsigned number) {
+  const RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  const std::size_t count = triangles.slots.size();
+  auto* positions = static_cast<glm::vec3*>(
+      rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, 3 * count));
+  auto* indices = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto vertices = triangle_in_slot(geometry, triangles.slots[i]);
+    std::copy(vertices.begin(), vertices.end(), positions + 3 * i);
+    for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) indices[k] = static_cast<std::uint32_t>(k);
+  }
+  rtcCommitGeometry(mesh);
+  rtcAttachGeometryByID(scene, mesh, number);
+  rtcReleaseGeometry(mesh);
+}
+
+void add_instance(RTCDevice device, RTCScene scene, const InstanceRecord& record, RTCScene object,
+                  std::size_t number) {
+  const RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(instance, object);
+  rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, record.to_world.data());
+  rtcCommitGeometry(instance);
+  rtcAttachGeometryByID(scene, instance, static_cast<unsigned>(number));
+  rtcReleaseGeometry(instance);
+}
 
 void set_ray(RTCRayHit& r, const DeviceRay& ray) {
   r.ray = {ray.origin.x,
@@ -49,8 +103,8 @@ void set_ray(RTCRayHit& r, const DeviceRay& ray) {
   r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 }
 
-void cast_single(RTCScene scene, std::span<const DeviceRay> rays, bool any,
-                 const std::vector<std::uint32_t>& ids, std::span<DeviceHit> hits) {
+void cast_single(RTCScene scene, std::span<const DeviceRay> rays, bool any, const Ids& ids,
+                 std::span<DeviceHit> hits) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -61,14 +115,13 @@ void cast_single(RTCScene scene, std::span<const DeviceRay> rays, bool any,
       hits[i] = {r.ray.tfar, r.ray.tfar < 0 ? 0 : layout::kNoPrimitive};
     } else {
       rtcIntersect1(scene, &context, &r);
-      hits[i] = {r.ray.tfar,
-                 r.hit.primID == RTC_INVALID_GEOMETRY_ID ? layout::kNoPrimitive : ids[r.hit.primID]};
+      hits[i] = {r.ray.tfar, ids.of(r.hit.primID, r.hit.instID[0])};
     }
   }
 }
 
-void cast_wide(RTCScene scene, std::span<const DeviceRay> rays, bool any,
-               const std::vector<std::uint32_t>& ids, std::span<DeviceHit> hits) {
+void cast_wide(RTCScene scene, std::span<const DeviceRay> rays, bool any, const Ids& ids,
+               std::span<DeviceHit> hits) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   alignas(64) int valid[16];
@@ -89,17 +142,17 @@ void cast_wide(RTCScene scene, std::span<const DeviceRay> rays, bool any,
       rtcIntersect16(valid, scene, &context, &r);
     }
     for (std::size_t k = 0; k < 16 && from + k < rays.size(); ++k) {
-      const bool met = any ? r.ray.tfar[k] < 0 : r.hit.primID[k] != RTC_INVALID_GEOMETRY_ID;
-      hits[from + k] = {r.ray.tfar[k], !met ? layout::kNoPrimitive : any ? 0 : ids[r.hit.primID[k]]};
+      hits[from + k] = {r.ray.tfar[k], any ? (r.ray.tfar[k] < 0 ? 0 : layout::kNoPrimitive)
+                                           : ids.of(r.hit.primID[k], r.hit.instID[0][k])};
     }
   }
 }
 
-void cast_stream(RTCScene scene, std::span<const DeviceRay> rays, bool any,
-                 const std::vector<std::uint32_t>& ids, std::span<DeviceHit> hits) {
+void cast_stream(RTCScene scene, std::span<const DeviceRay> rays, bool any, const Ids& ids,
+                 std::span<DeviceHit> hits) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  context.flags = any ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT : RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   std::vector<RTCRayHit> block(kStream);
   for (std::size_t from = 0; from < rays.size(); from += kStream) {
     const std::size_t count = std::min(kStream, rays.size() - from);
@@ -110,8 +163,9 @@ void cast_stream(RTCScene scene, std::span<const DeviceRay> rays, bool any,
       rtcIntersect1M(scene, &context, block.data(), static_cast<unsigned>(count), sizeof(RTCRayHit));
     }
     for (std::size_t k = 0; k < count; ++k) {
-      const bool met = any ? block[k].ray.tfar < 0 : block[k].hit.primID != RTC_INVALID_GEOMETRY_ID;
-      hits[from + k] = {block[k].ray.tfar, !met ? layout::kNoPrimitive : any ? 0 : ids[block[k].hit.primID]};
+      const RTCHit& hit = block[k].hit;
+      hits[from + k] = {block[k].ray.tfar, any ? (block[k].ray.tfar < 0 ? 0 : layout::kNoPrimitive)
+                                               : ids.of(hit.primID, hit.instID[0])};
     }
   }
 }
@@ -119,32 +173,38 @@ void cast_stream(RTCScene scene, std::span<const DeviceRay> rays, bool any,
 }  // namespace
 
 EmbreeTracer::EmbreeTracer(const Geometry& geometry) : state_(std::make_unique<State>()) {
-  std::vector<glm::vec3> vertices;
-  std::vector<bool> known(geometry.triangle_count +
-                          geometry.quadric_count);  // by id: some lie in several leaves
-  for (std::size_t slot = 0; slot < geometry.primitives.size() / 3; ++slot) {
-    const std::uint32_t id = geometry.primitives[3 * slot].w;
-    if ((id & layout::kQuadricBit) != 0 || known[id]) continue;
-    known[id] = true;
-    state_->ids.push_back(id);
-    for (int k = 0; k < 3; ++k) {
-      const glm::uvec4 w = geometry.primitives[3 * slot + k];
-      vertices.emplace_back(std::bit_cast<float>(w.x), std::bit_cast<float>(w.y), std::bit_cast<float>(w.z));
+  State& s = *state_;
+  const auto add_world = [&](std::uint32_t root) {
+    TriangleSlots triangles = triangle_slots(geometry, root);
+    // Instances count from 0.
+    add_triangles(s.device, s.scene, geometry, triangles, static_cast<unsigned>(geometry.instance_count()));
+    s.ids.world = std::move(triangles.ids);
+  };
+  if (geometry.instances.empty()) add_world(0);
+  const auto commit = [&](RTCScene scene) {
+    const auto start = std::chrono::steady_clock::now();
+    rtcCommitScene(scene);
+    s.build_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  for (std::size_t i = 0; i < geometry.instance_count(); ++i) {
+    const InstanceRecord record = instance_record(geometry, i);
+    if (record.world) {
+      add_world(record.root);
+      continue;
     }
+    if (!s.objects.contains(record.root)) {
+      State::Object& object = s.objects[record.root];
+      object.scene = rtcNewScene(s.device);
+      TriangleSlots triangles = triangle_slots(geometry, record.root);
+      add_triangles(s.device, object.scene, geometry, triangles, 0);
+      object.ids = std::move(triangles.ids);
+      commit(object.scene);
+    }
+    const State::Object& object = s.objects.at(record.root);
+    add_instance(s.device, s.scene, record, object.scene, s.ids.instances.size());
+    s.ids.instances.push_back({&object.ids, record.first_id});
   }
-  const RTCGeometry mesh = rtcNewGeometry(state_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  void* positions =
-      rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, vertices.size());
-  std::memcpy(positions, vertices.data(), 12 * vertices.size());
-  auto* indices = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, vertices.size() / 3));
-  for (std::size_t i = 0; i < vertices.size(); ++i) indices[i] = static_cast<std::uint32_t>(i);
-  rtcCommitGeometry(mesh);
-  rtcAttachGeometry(state_->scene, mesh);
-  rtcReleaseGeometry(mesh);
-  const auto start = std::chrono::steady_clock::now();
-  rtcCommitScene(state_->scene);
-  state_->build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  commit(s.scene);
 }
 
 bool EmbreeTracer::available() {

@@ -18,7 +18,8 @@ class EmbreeTracer {
     stream   ///< rtcIntersect1M, rtcOccluded1M over 1024 rays, marked coherent
   };
 
-  /// The triangles of `geometry`, with its ids. Quadrics are left out.
+  /// The triangles of `geometry`, with its ids; its instances as Embree's, where it has two levels. Quadrics
+  /// are left out.
   explicit EmbreeTracer(const Geometry& geometry);
   ~EmbreeTracer();
 

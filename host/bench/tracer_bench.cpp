@@ -1,14 +1,15 @@
 #include "bench/tracer_bench.h"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <glm/geometric.hpp>
 
 #include "bench/embree_tracer.h"
+#include "bench/geometry_triangles.h"
 #include "layout.h"
+#include "render/features.h"
 #include "render/geometry.h"
 #include "render/ray_caster.h"
 #include "render/renderer_state.h"
@@ -59,22 +60,14 @@ Scene only_triangles(const Scene& scene, std::uint64_t& left_out) {
 /// Cosine-weighted rays from what the primary rays meet.
 std::vector<DeviceRay> occlusion_rays(const Geometry& geometry, const std::vector<DeviceRay>& primary,
                                       const std::vector<DeviceHit>& hits, const TracerBenchOptions& options) {
-  std::vector<std::uint32_t> slot_of(geometry.triangle_count);  // one of them, where there are several
-  for (std::uint32_t slot = 0; slot < geometry.primitives.size() / 3; ++slot) {
-    const std::uint32_t id = geometry.primitives[3 * slot].w;
-    slot_of[id] = slot;
-  }
+  const TriangleLookup lookup(geometry);
   const auto sampler = make_sampler("random", options.samples, 1);
-  const auto vertex = [&](std::uint32_t slot, int k) {
-    const glm::uvec4 w = geometry.primitives[3 * slot + k];
-    return glm::dvec3(std::bit_cast<float>(w.x), std::bit_cast<float>(w.y), std::bit_cast<float>(w.z));
-  };
   std::vector<DeviceRay> rays;
   for (std::uint32_t pixel = 0; pixel < primary.size(); ++pixel) {
     if (hits[pixel].primitive == layout::kNoPrimitive) continue;
-    const std::uint32_t slot = slot_of[hits[pixel].primitive];
     const glm::dvec3 d(primary[pixel].direction);
-    glm::dvec3 n = glm::cross(vertex(slot, 1) - vertex(slot, 0), vertex(slot, 2) - vertex(slot, 0));
+    const auto v = lookup.vertices(hits[pixel].primitive);
+    glm::dvec3 n = glm::cross(v[1] - v[0], v[2] - v[0]);
     if (!(glm::length(n) > 0)) continue;
     n = glm::normalize(n);
     if (glm::dot(n, d) > 0) n = -n;
@@ -167,11 +160,14 @@ TracerBench bench_tracer(const Scene& whole, const TracerBenchOptions& options,
   Renderer renderer(scene, options.renderer);
   const auto start = std::chrono::steady_clock::now();
   const Placement& placement = renderer.state().placement;
-  const Geometry geometry = build_geometry(scene, {.placement = placement});
+  const bool two_level = wants_two_levels(scene, options.renderer.instancing);
+  const Geometry geometry =
+      build_geometry(scene, {.two_level = two_level, .keep_instances = two_level, .placement = placement});
   result.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.triangles = geometry.triangle_count;
   result.bytes_per_triangle = 16.0 *
-                              static_cast<double>(geometry.bvh.texels.size() + geometry.primitives.size()) /
+                              static_cast<double>(geometry.bvh.texels.size() + geometry.primitives.size() +
+                                                  geometry.instances.size()) /
                               static_cast<double>(std::max<std::uint64_t>(1, geometry.triangle_count));
   result.device = renderer.state().description.name;
   std::unique_ptr<EmbreeTracer> embree;

@@ -122,6 +122,10 @@ void add_bench_verb(CLI::App& app) {
   verb->add_option("--fetch", o->bench.renderer.fetch, "How kernels read data: auto, texel or storage")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "texel", "storage"}));
+  verb->add_option("--instancing", o->bench.renderer.instancing,
+                   "auto, flat (one tree over all instances) or two-level; Embree likewise")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "flat", "two-level"}));
   verb->add_flag("--scaling", o->scaling,
                  "10^4, 10^5 ... triangles of one hilly surface, instead of a scene");
   verb->add_option("--largest", o->largest, "With --scaling: the most triangles")

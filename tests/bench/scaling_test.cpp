@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "base/error.h"
 #include "bench/embree_tracer.h"
+#include "bench/geometry_triangles.h"
 
 namespace capcon {
 namespace {
@@ -55,6 +58,56 @@ TEST(TracerBench, MeetsWhatEmbreeMeets) {
   }
 }
 
+/// A hill of its own, and turned, mirrored and stretched instances of two objects.
+Scene instanced_hills() {
+  Scene scene = hilly_square(2000, 64, 64);
+  scene.meshes.push_back(hilly_square(800, 8, 8).meshes[0]);
+  for (std::uint32_t mesh : {0u, 1u}) {
+    Object object;
+    object.shapes = {scene.shapes[0], scene.shapes[0]};
+    object.shapes[0].mesh = object.shapes[1].mesh = mesh;
+    object.shapes[1].to_world = glm::translate(glm::dmat4(1), glm::dvec3(0.3, 0.2, 0.1));
+    scene.objects.push_back(object);
+  }
+  for (int i = 0; i < 12; ++i) {
+    glm::dmat4 m =
+        glm::translate(glm::dmat4(1), glm::dvec3(0.3 * (i % 4) - 0.5, 0.1 + 0.02 * i, 0.4 * (i / 4) - 0.4));
+    m = glm::rotate(m, 0.7 * i, glm::normalize(glm::dvec3(0.2, 1, 0.1 * i)));
+    m = glm::scale(m, glm::dvec3(i % 3 == 0 ? -0.2 : 0.2, 0.1 + 0.02 * i, 0.15));
+    scene.instances.push_back({static_cast<std::uint32_t>(i % 2), m});
+  }
+  return scene;
+}
+
+TEST(TracerBench, MeetsWhatEmbreeMeetsInInstances) {
+  if (!EmbreeTracer::available()) GTEST_SKIP() << "this build has no Embree";
+  TracerBenchOptions options = small_bench();
+  for (const char* instancing : {"flat", "two-level"}) {
+    options.renderer.instancing = instancing;
+    const TracerBench bench = bench_tracer(instanced_hills(), options, [](double) {});
+    EXPECT_EQ(bench.triangles, 1922u + 6 * (2 * 1922u + 2 * 800u));
+    for (const TracerBenchRow& row : bench.rows) {
+      if (row.rays == "primary") {
+        EXPECT_GT(row.count, 3000u);
+      }
+      EXPECT_LE(row.different, 6u) << instancing << " " << row.rays << " " << row.tracer;
+    }
+  }
+}
+
+TEST(TracerBench, TrianglesAreFoundByTheirIdsWithOneLevelAndTwo) {
+  const Scene scene = instanced_hills();
+  const Geometry flat = build_geometry(scene);
+  const Geometry levels = build_geometry(scene, {.two_level = true, .keep_instances = true});
+  ASSERT_EQ(flat.triangle_count, levels.triangle_count);
+  ASSERT_EQ(levels.instance_count(), 13u);
+  const TriangleLookup in_flat(flat), in_levels(levels);
+  for (std::uint32_t id = 0; id < flat.triangle_count; ++id) {
+    const auto a = in_flat.vertices(id), b = in_levels.vertices(id);
+    for (int k = 0; k < 3; ++k) ASSERT_NEAR(glm::distance(a[k], b[k]), 0, 1e-6) << id;
+  }
+}
+
 TEST(TracerBench, LeavesSpheresAndDisksOutOnBothSides) {
   Scene scene = hilly_square(2000, 32, 32);
   Shape sphere;
@@ -69,7 +122,9 @@ TEST(TracerBench, LeavesSpheresAndDisksOutOnBothSides) {
   const TracerBench bench = bench_tracer(scene, small_bench(), [](double) {});
   EXPECT_EQ(bench.left_out, 3u);
   for (const TracerBenchRow& row : bench.rows) {
-    if (row.rays == "primary") { EXPECT_LE(row.different, 2u) << row.tracer; }
+    if (row.rays == "primary") {
+      EXPECT_LE(row.different, 2u) << row.tracer;
+    }
   }
   scene.shapes.erase(scene.shapes.begin());
   EXPECT_THROW(bench_tracer(scene, small_bench(), [](double) {}), InputError);
