@@ -18,6 +18,9 @@ namespace {
 
 constexpr std::uint64_t kMaxPrimitives = 1u << 30;
 constexpr std::size_t kMaxNodes = 1u << 24;
+// To enter an instance is to walk its tree, relative to a triangle's test: nearly every one gets a box of its
+// own.
+constexpr double kInstanceCost = 20;
 
 /// Whether the matrix squeezes space so flat that a ray cannot be brought into it.
 bool is_flat(const glm::dmat4& m) {
@@ -160,7 +163,7 @@ void assemble(const Scene& scene, const Census& census, const std::vector<Geomet
   parallel_for(
       members.size(),
       [&](std::size_t i) { boxes[i] = moved_box(trees[members[i].tree].boxes, members[i].to_world); }, 64);
-  geometry.bvh = build_bvh(boxes);
+  geometry.bvh = build_bvh(boxes, kInstanceCost);
 
   std::vector<Base> bases(trees.size());
   std::size_t nodes = geometry.bvh.node_count(), slots = 0;

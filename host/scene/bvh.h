@@ -39,8 +39,9 @@ struct BinaryTree {
 /// for any number of them. At least one box. With `triangles` (three texels a primitive, see
 /// Geometry::primitives) primitives that lie across the best plane may be cut by it (spatial splits, Stich et
 /// al. 2009): then `order` names some of them in several leaves, at most 1.3 times as many entries as
-/// primitives.
-BinaryTree build_binary_tree(std::span<const Box> boxes, std::span<const glm::uvec4> triangles = {});
+/// primitives. `primitive_cost`: of testing one, relative to a triangle; above 0.
+BinaryTree build_binary_tree(std::span<const Box> boxes, std::span<const glm::uvec4> triangles = {},
+                             double primitive_cost = 1);
 
 /// The tree that the device walks: four children a node, in 64 bytes.
 ///   word  0- 3   x extents of children 0-3: half extent | centre << 16, in grid coordinates; the centre is
@@ -63,8 +64,8 @@ struct Bvh {
 /// Collapses a binary tree greedily by area and quantises the boxes to one grid of 16 bits an axis.
 Bvh collapse(const BinaryTree& tree);
 
-inline Bvh build_bvh(std::span<const Box> boxes) {
-  return collapse(build_binary_tree(boxes));
+inline Bvh build_bvh(std::span<const Box> boxes, double primitive_cost = 1) {
+  return collapse(build_binary_tree(boxes, {}, primitive_cost));
 }
 
 }  // namespace capcon

@@ -38,7 +38,8 @@ double overlap(const FloatBox& a, const FloatBox& b) {
 
 class Builder {
  public:
-  Builder(const Cutter& cutter, double root_area) : cutter_(cutter), root_area_(root_area) {}
+  Builder(const Cutter& cutter, double root_area, double primitive_cost)
+      : cutter_(cutter), root_area_(root_area), visit_cost_(kVisitCost / primitive_cost) {}
 
   /// Builds node `at` of `tree` over the references; its descendants are appended in an order that does not
   /// depend on the number of threads. `spare`: how many references may be added below.
@@ -64,7 +65,7 @@ class Builder {
       }
     }
     const double area = box.half_area(), best = std::min(object.cost, spatial.cost);
-    const double cost = kVisitCost + (area > 0 ? best / area : 0.5 * static_cast<double>(count));
+    const double cost = visit_cost_ + (area > 0 ? best / area : 0.5 * static_cast<double>(count));
     if (count <= kLeafSize && (object.axis < 0 || cost >= static_cast<double>(count))) {
       make_leaf(tree, at, references);
       return;
@@ -163,11 +164,13 @@ class Builder {
 
   const Cutter& cutter_;
   double root_area_;
+  double visit_cost_;  ///< of a node, in tests of a primitive
 };
 
 }  // namespace
 
-BinaryTree build_binary_tree(std::span<const Box> boxes, std::span<const glm::uvec4> triangles) {
+BinaryTree build_binary_tree(std::span<const Box> boxes, std::span<const glm::uvec4> triangles,
+                             double primitive_cost) {
   std::vector<Reference> references(boxes.size());
   parallel_for(
       boxes.size(),
@@ -183,7 +186,7 @@ BinaryTree build_binary_tree(std::span<const Box> boxes, std::span<const glm::uv
   BinaryTree tree;
   tree.nodes.resize(1);
   tree.nodes.reserve(boxes.size());
-  Builder(cutter, all.half_area()).build(tree, 0, references, spare, depth);
+  Builder(cutter, all.half_area(), primitive_cost).build(tree, 0, references, spare, depth);
   return tree;
 }
 

@@ -101,6 +101,19 @@ TEST(Bvh, SurvivesCoincidentFlatAndFarAwayBoxes) {
   check_tree(mixed);
 }
 
+// Each in a box of its own, so that a ray meets only those whose own box it meets.
+TEST(Bvh, CostlyPrimitivesGetLeavesOfTheirOwn) {
+  const auto boxes = random_boxes(2000, 1);
+  const auto shared = [&](double cost) {
+    const BinaryTree tree = build_binary_tree(boxes, {}, cost);
+    std::size_t all = 0;
+    for (const BinaryNode& node : tree.nodes) all += node.count > 1 ? node.count : 0;
+    return all;
+  };
+  EXPECT_GT(shared(1), 1000u);
+  EXPECT_LT(shared(20), 100u);
+}
+
 TEST(Bvh, IsTheSameForAnyNumberOfThreads) {
   const auto boxes = random_boxes(60000, 1);
   ::setenv("CAPCON_THREADS", "1", 1);
