@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <utility>
 
 namespace capcon {
 namespace {
@@ -61,24 +62,53 @@ Scene hilly_square(std::uint64_t triangles, int width, int height) {
   return scene;
 }
 
-std::vector<ScalingPoint> bench_scaling(const TracerBenchOptions& options, std::uint64_t largest, int width,
-                                        int height, const std::function<void(double)>& on_progress) {
-  std::vector<ScalingPoint> points;
-  for (std::uint64_t size = 10000; size <= largest; size *= 10) {
-    // Progress by the sizes' share of all triangles: the largest takes nearly all the time.
-    const double before = static_cast<double>(size) / 10 / static_cast<double>(largest);
-    const auto share = [&](double f) { on_progress(before + f * 9 * before); };
-    const TracerBench bench = bench_tracer(hilly_square(size, width, height), options, share);
-    ScalingPoint point;
-    point.triangles = bench.triangles;
-    point.build_seconds = bench.build_seconds;
-    point.bytes_per_triangle = bench.bytes_per_triangle;
-    point.capcon = {nanoseconds(bench, "primary", "capcon"), nanoseconds(bench, "occlusion", "capcon")};
-    point.embree = {nanoseconds(bench, "primary", "embree single"),
-                    nanoseconds(bench, "occlusion", "embree single")};
-    points.push_back(point);
+Scene patched_square(std::uint64_t triangles, int width, int height) {
+  constexpr std::uint64_t kPatch = 10000;
+  constexpr double kOverlap = 1.1;
+  Scene scene = hilly_square(kPatch, width, height);
+  scene.objects.emplace_back().shapes = std::move(scene.shapes);
+  scene.shapes.clear();
+  const auto side = static_cast<int>(
+      std::max(1.0, std::floor(std::sqrt(static_cast<double>(triangles) / static_cast<double>(kPatch)))));
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; ++i) {
+      const glm::dvec3 centre((2.0 * i + 1) / side - 1, 0, (2.0 * j + 1) / side - 1);
+      glm::dmat4 m = glm::translate(glm::dmat4(1), centre);
+      m = glm::rotate(m, 0.5 * M_PI * ((3 * i + 5 * j + i * j) % 4), glm::dvec3(0, 1, 0));
+      scene.instances.push_back({0, glm::scale(m, glm::dvec3((side > 1 ? kOverlap : 1.0) / side))});
+    }
   }
-  return points;
+  return scene;
+}
+
+std::vector<ScalingSeries> bench_scaling(const TracerBenchOptions& options, std::uint64_t largest, int width,
+                                         int height, const std::function<void(double)>& on_progress) {
+  // Progress by the surfaces' share of all triangles: the largest take nearly all the time.
+  constexpr double kFiner = 0.8;
+  std::vector<ScalingSeries> series;
+  for (const bool instances : {false, true}) {
+    TracerBenchOptions own = options;
+    own.renderer.instancing = instances ? "two-level" : "flat";
+    ScalingSeries& one = series.emplace_back(ScalingSeries{instances ? "instances" : "finer", {}});
+    for (std::uint64_t size = 10000; size <= largest; size *= 10) {
+      const double before = static_cast<double>(size) / 10 / static_cast<double>(largest);
+      const auto share = [&](double f) {
+        const double done = before + f * 9 * before;
+        on_progress(instances ? kFiner + (1 - kFiner) * done : kFiner * done);
+      };
+      const Scene scene = instances ? patched_square(size, width, height) : hilly_square(size, width, height);
+      const TracerBench bench = bench_tracer(scene, own, share);
+      ScalingPoint point;
+      point.triangles = bench.triangles;
+      point.build_seconds = bench.build_seconds;
+      point.bytes_per_triangle = bench.bytes_per_triangle;
+      point.capcon = {nanoseconds(bench, "primary", "capcon"), nanoseconds(bench, "occlusion", "capcon")};
+      point.embree = {nanoseconds(bench, "primary", "embree single"),
+                      nanoseconds(bench, "occlusion", "embree single")};
+      one.points.push_back(point);
+    }
+  }
+  return series;
 }
 
 double growth_per_tenfold(const std::vector<ScalingPoint>& points,

@@ -74,17 +74,17 @@ void print(const TracerBench& b) {
 
 void run_scaling(const Options& o) {
   if (!o.output.empty()) plot::check_picture_name(o.output);
-  std::vector<ScalingPoint> points;
+  std::vector<ScalingSeries> series;
   {
     Progress progress("casting", 1, o.quiet);
-    points = bench_scaling(o.bench, static_cast<std::uint64_t>(o.largest), o.width > 0 ? o.width : 512,
+    series = bench_scaling(o.bench, static_cast<std::uint64_t>(o.largest), o.width > 0 ? o.width : 512,
                            o.height > 0 ? o.height : 512, [&](double f) { progress.update(f); });
   }
-  if (!o.output.empty()) draw_scaling(points, o.output);
+  if (!o.output.empty()) draw_scaling(series, o.output);
   if (o.json) {
-    fmt::print("{}\n", scaling_json(points).dump(2));
+    fmt::print("{}\n", scaling_json(series).dump(2));
   } else {
-    print_scaling(points);
+    print_scaling(series);
   }
 }
 
@@ -102,7 +102,7 @@ void add_bench_verb(CLI::App& app) {
       "rtcIntersect1 (primary,\n"
       "closest hit) and rtcOccluded1 (occlusion, any hit). Ties: the same distance on another triangle.\n"
       "Spheres and disks are left out. With --scaling: how the cost of a ray grows with the number of "
-      "triangles, on one surface.\n"
+      "triangles: of one surface that gets finer,\nand of instances of one patch.\n"
       "Examples: capcon bench tracer scenes/courtyard.pbrt --radius 2 --json\n"
       "          capcon bench tracer --scaling -o scaling.svg");
   verb->add_option("scene", o->scene, "Scene: .pbrt, .ply or .obj");
@@ -127,7 +127,7 @@ void add_bench_verb(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "flat", "two-level"}));
   verb->add_flag("--scaling", o->scaling,
-                 "10^4, 10^5 ... triangles of one hilly surface, instead of a scene");
+                 "10^4, 10^5 ... triangles of one hilly surface, and of its instances, instead of a scene");
   verb->add_option("--largest", o->largest, "With --scaling: the most triangles")
       ->capture_default_str()
       ->check(CLI::Range(1e4, 1e8));

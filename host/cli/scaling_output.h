@@ -8,9 +8,10 @@
 
 namespace capcon::cli {
 
-nlohmann::json scaling_json(const std::vector<ScalingPoint>& points);
-void print_scaling(const std::vector<ScalingPoint>& points);
-/// Cost against size, primary and occlusion rays side by side, as an SVG or PNG picture.
-void draw_scaling(const std::vector<ScalingPoint>& points, const std::string& path);
+nlohmann::json scaling_json(const std::vector<ScalingSeries>& series);
+void print_scaling(const std::vector<ScalingSeries>& series);
+/// Cost against size, primary and occlusion rays side by side, a row for each series, as an SVG or PNG
+/// picture.
+void draw_scaling(const std::vector<ScalingSeries>& series, const std::string& path);
 
 }  // namespace capcon::cli

@@ -34,6 +34,41 @@ TEST(Scaling, TheSurfaceIsTheSameAtEverySize) {
   EXPECT_LE(hilly_square(10000, 8, 8).instanced_triangles(), 10000u);
 }
 
+TEST(Scaling, PatchesCoverTheSquare) {
+  const Scene scene = patched_square(100000, 8, 8);
+  ASSERT_EQ(scene.instances.size(), 9u);
+  EXPECT_EQ(patched_square(10000, 8, 8).instances.size(), 1u);
+  glm::dvec3 low(1e9), high(-1e9);
+  double area = 0;
+  for (const Instance& instance : scene.instances) {
+    glm::dvec3 own_low(1e9), own_high(-1e9);
+    for (const glm::dvec3 corner : {glm::dvec3(-1, 0, -1), glm::dvec3(1, 0, 1)}) {
+      const glm::dvec3 p(instance.to_world * glm::dvec4(corner, 1));
+      own_low = glm::min(own_low, p), own_high = glm::max(own_high, p);
+    }
+    low = glm::min(low, own_low), high = glm::max(high, own_high);
+    area += (own_high.x - own_low.x) * (own_high.z - own_low.z);
+  }
+  EXPECT_NEAR(high.x - low.x, 2 + 0.1 * 2 / 3, 1e-9);
+  EXPECT_NEAR(high.z - low.z, 2 + 0.1 * 2 / 3, 1e-9);
+  EXPECT_NEAR(area, 1.21 * 4, 1e-9);
+}
+
+TEST(Scaling, BothSeriesAreMeasured) {
+  const auto series = bench_scaling(small_bench(), 100000, 32, 32, [](double f) { EXPECT_LE(f, 1.0); });
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(series[0].name, "finer");
+  EXPECT_EQ(series[1].name, "instances");
+  for (const ScalingSeries& one : series) {
+    ASSERT_EQ(one.points.size(), 2u);
+    for (const ScalingPoint& point : one.points) {
+      EXPECT_GT(point.capcon.primary, 0);
+      EXPECT_GT(point.capcon.occlusion, 0);
+    }
+  }
+  EXPECT_EQ(series[1].points[1].triangles, 9 * series[1].points[0].triangles);
+}
+
 TEST(Scaling, GrowthIsTheGeometricMean) {
   std::vector<ScalingPoint> points(3);
   for (int k = 0; k < 3; ++k) {
