@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <future>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "base/parallel.h"
 #include "scene/bvh.h"
@@ -36,15 +39,64 @@ double overlap(const FloatBox& a, const FloatBox& b) {
   return o.half_area();
 }
 
+/// A tree in pieces, each built by a thread: parts below node `at` lie in another one, in the order in which
+/// one thread would have built them.
+struct Piece {
+  BinaryTree tree;
+  struct Part {
+    std::size_t at;
+    std::unique_ptr<Piece> piece;
+  };
+  std::vector<Part> parts;
+};
+
+/// Where a piece's nodes but the first, and its leaves' primitives, go in the whole tree.
+struct Place {
+  const Piece* piece;
+  std::size_t root, nodes, order;
+};
+
+/// The whole tree, copied once by all threads. Node for node the one that a single thread builds.
+BinaryTree join(Piece first) {
+  std::vector<Place> places;
+  std::size_t nodes = 0, order = 0;
+  const auto place = [&](const Piece& piece, std::size_t root, const auto& self) -> void {
+    const std::size_t before = nodes;  // of the piece's node 1
+    places.push_back({&piece, root, before, order});
+    nodes += piece.tree.nodes.size() - 1;
+    order += piece.tree.order.size();
+    for (const Piece::Part& part : piece.parts) self(*part.piece, before + part.at - 1, self);
+  };
+  nodes = 1;
+  place(first, 0, place);
+  BinaryTree whole;
+  if (places.size() == 1) return std::move(first.tree);
+  whole.nodes.resize(nodes);
+  whole.order.resize(order);
+  parallel_for(places.size(), [&](std::size_t k) {
+    const Place& p = places[k];
+    const BinaryTree& part = p.piece->tree;
+    for (std::size_t n = 0; n < part.nodes.size(); ++n) {
+      BinaryNode node = part.nodes[n];
+      node.first += static_cast<std::uint32_t>(node.count > 0 ? p.order : p.nodes - 1);
+      whole.nodes[n == 0 ? p.root : p.nodes + n - 1] = node;
+    }
+    std::copy(part.order.begin(), part.order.end(),
+              whole.order.begin() + static_cast<std::ptrdiff_t>(p.order));
+  });
+  return whole;
+}
+
 class Builder {
  public:
   Builder(const Cutter& cutter, double root_area, double primitive_cost)
       : cutter_(cutter), root_area_(root_area), visit_cost_(kVisitCost / primitive_cost) {}
 
-  /// Builds node `at` of `tree` over the references; its descendants are appended in an order that does not
-  /// depend on the number of threads. `spare`: how many references may be added below.
-  void build(BinaryTree& tree, std::size_t at, std::span<Reference> references, std::size_t spare,
+  /// Builds node `at` of `piece` over the references; its descendants are appended. `spare`: how many
+  /// references may be added below. Above `parallel_depth` 0 large right halves become pieces of their own.
+  void build(Piece& piece, std::size_t at, std::span<Reference> references, std::size_t spare,
              int parallel_depth) const {
+    BinaryTree& tree = piece.tree;
     FloatBox box, centres;
     for (const Reference& r : references) {
       box.add(r);
@@ -87,16 +139,16 @@ class Builder {
     tree.nodes[at].first = static_cast<std::uint32_t>(first);
     tree.nodes.resize(first + 2);
     if (parallel_depth > 0 && count > kParallelSize) {
-      BinaryTree other;
-      other.nodes.resize(1);
+      auto other = std::make_unique<Piece>();
+      other->tree.nodes.resize(1);
       auto job = std::async(std::launch::async,
-                            [&] { build(other, 0, right, spare - left_spare, parallel_depth - 1); });
-      build(tree, first, left, left_spare, parallel_depth - 1);
+                            [&] { build(*other, 0, right, spare - left_spare, parallel_depth - 1); });
+      build(piece, first, left, left_spare, parallel_depth - 1);
       job.get();
-      graft(tree, first + 1, other);
+      piece.parts.push_back({first + 1, std::move(other)});
     } else {
-      build(tree, first, left, left_spare, 0);
-      build(tree, first + 1, right, spare - left_spare, 0);
+      build(piece, first, left, left_spare, 0);
+      build(piece, first + 1, right, spare - left_spare, 0);
     }
   }
 
@@ -149,19 +201,6 @@ class Builder {
     }
   }
 
-  /// Appends a tree that was built apart; its root becomes node `at`.
-  static void graft(BinaryTree& tree, std::size_t at, const BinaryTree& other) {
-    const auto node_base = static_cast<std::uint32_t>(tree.nodes.size()) - 1;
-    const auto order_base = static_cast<std::uint32_t>(tree.order.size());
-    const auto moved = [&](BinaryNode node) {
-      node.first += node.count > 0 ? order_base : node_base;
-      return node;
-    };
-    tree.nodes[at] = moved(other.nodes[0]);
-    for (std::size_t n = 1; n < other.nodes.size(); ++n) tree.nodes.push_back(moved(other.nodes[n]));
-    tree.order.insert(tree.order.end(), other.order.begin(), other.order.end());
-  }
-
   const Cutter& cutter_;
   double root_area_;
   double visit_cost_;  ///< of a node, in tests of a primitive
@@ -183,11 +222,11 @@ BinaryTree build_binary_tree(std::span<const Box> boxes, std::span<const glm::uv
       cutter.empty() ? 0 : static_cast<std::size_t>(kSpareReferences * static_cast<double>(boxes.size()));
   int depth = 0;
   while ((1u << depth) < 2 * thread_count()) ++depth;
-  BinaryTree tree;
-  tree.nodes.resize(1);
-  tree.nodes.reserve(boxes.size());
+  Piece tree;
+  tree.tree.nodes.resize(1);
   Builder(cutter, all.half_area(), primitive_cost).build(tree, 0, references, spare, depth);
-  return tree;
+  std::vector<Reference>().swap(references);
+  return join(std::move(tree));
 }
 
 }  // namespace capcon
