@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <memory>
+#include <type_traits>
 
 #include "base/parallel.h"
 #include "layout.h"
@@ -128,20 +130,34 @@ GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, cons
   if (count == 0) return tree;
   std::vector<Box> boxes(count);
   const std::size_t stride = options.details.texels();
-  std::vector<glm::uvec4> primitives(3 * count), unsorted(stride * count);
+  // Written by all threads below, each word once: to fill them with zeros here would take one thread as long.
+  static_assert(std::is_trivially_default_constructible_v<glm::uvec4>);
+  const auto texels = std::make_unique_for_overwrite<glm::uvec4[]>((3 + stride) * count);
+  const std::span primitives(texels.get(), 3 * count), unsorted(texels.get() + 3 * count, stride * count);
   for (std::size_t s = 0; s < placed.size(); ++s) {
     if (placed[s].shape->kind == ShapeKind::mesh) continue;
     const auto id = layout::kQuadricBit | static_cast<std::uint32_t>(quadrics.size() / 7);
     add_quadric(placed[s], quadrics, boxes[first[s]]);
     primitives[3 * first[s]] = glm::uvec4(0, 0, 0, id);
+    primitives[3 * first[s] + 1] = primitives[3 * first[s] + 2] = glm::uvec4(0);
     if (stride > 0) write_details(scene, placed[s], options.details, 0, &unsorted[stride * first[s]]);
   }
-  parallel_for(placed.size(), [&](std::size_t s) {
-    const Placed& p = placed[s];
-    if (p.shape->kind != ShapeKind::mesh) return;
+  struct Run {
+    std::size_t shape, first, last;  ///< triangles first ... last - 1 of its mesh
+  };
+  constexpr std::size_t kRun = 1 << 14;
+  std::vector<Run> runs;
+  for (std::size_t s = 0; s < placed.size(); ++s) {
+    if (placed[s].shape->kind != ShapeKind::mesh) continue;
+    for (std::size_t t = 0; t < first[s + 1] - first[s]; t += kRun)
+      runs.push_back({s, t, std::min(t + kRun, first[s + 1] - first[s])});
+  }
+  parallel_for(runs.size(), [&](std::size_t r) {
+    const Run run = runs[r];
+    const Placed& p = placed[run.shape];
     const TriangleMesh& mesh = scene.meshes[p.shape->mesh];
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const std::size_t at = first[s] + t;
+    for (std::size_t t = run.first; t < run.last; ++t) {
+      const std::size_t at = first[run.shape] + t;
       for (int corner = 0; corner < 3; ++corner) {
         const glm::vec3 v = glm::dvec3(p.to_tree * glm::dvec4(mesh.positions[mesh.triangles[t][corner]], 1));
         boxes[at].add(glm::dvec3(v));
@@ -151,8 +167,8 @@ GeometryTree build_tree(const Scene& scene, std::span<const Placed> placed, cons
     }
   });
   {
-    const BinaryTree binary = build_binary_tree(
-        boxes, options.cut ? std::span<const glm::uvec4>(primitives) : std::span<const glm::uvec4>());
+    const BinaryTree binary =
+        build_binary_tree(boxes, options.cut ? primitives : std::span<const glm::uvec4>());
     tree.boxes = upper_boxes(binary);
     std::vector<Box>().swap(boxes);
     tree.bvh = collapse(binary);

@@ -31,7 +31,7 @@ struct BinaryNode {
 };
 
 struct BinaryTree {
-  std::vector<BinaryNode> nodes;     ///< root at 0; siblings side by side; unused gaps may lie between
+  std::vector<BinaryNode> nodes;     ///< root at 0; siblings side by side, after their parent
   std::vector<std::uint32_t> order;  ///< primitive indices in leaf order; with spatial splits some come twice
 };
 

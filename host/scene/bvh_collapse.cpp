@@ -2,12 +2,14 @@
 #include <array>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "scene/bvh.h"
 
 namespace capcon {
 namespace {
 
 constexpr double kCells = 65535, kMiddle = 32768;
+constexpr std::uint32_t kAbsent = 0xffffffff;
 // Boxes grow by this much of a cell on every side before they are rounded outward: more than the device's
 // rounding of a ray that starts within a few times the scene's size (shaders/tracing/ray.glsl).
 constexpr double kMargin = 0.25;
@@ -27,8 +29,9 @@ struct Children {
 };
 
 struct Pending {
-  std::uint32_t binary;  // node of the binary tree
-  std::uint32_t wide;    // where it goes
+  std::uint32_t binary;   // node of the binary tree
+  std::uint32_t wide;     // where it goes
+  std::uint32_t waiting;  // groups of siblings on the stack of a walk that comes here, at most
 };
 
 class Collapser {
@@ -49,14 +52,16 @@ class Collapser {
     }
     measure_promise();
     bvh_.texels.resize(4);
-    std::vector<Pending> stack{{0, 0}};
+    bvh_.texels.reserve(tree.nodes.size());
+    std::vector<Pending> stack{{0, 0, 0}};
     while (!stack.empty()) {
       const Pending next = stack.back();
       stack.pop_back();
       emit(next, stack);
     }
-    bvh_.stack_entries = 0;
-    measure_stack();
+    std::vector<double>().swap(promise_);
+    parallel_for(
+        bvh_.node_count(), [&](std::size_t n) { write_extents(&bvh_.texels[4 * n]); }, 1 << 12);
   }
 
   Bvh take() { return std::move(bvh_); }
@@ -67,25 +72,15 @@ class Collapser {
   /// For every node: the area of the leaves' boxes below it over the expected cost of a ray that meets its
   /// box (surface-area heuristic, a visit as much as a test).
   void measure_promise() {
-    struct Entry {
-      std::uint32_t node;
-      bool done;  ///< its children are measured
-    };
     std::vector<double> surface(tree_.nodes.size()), cost(tree_.nodes.size());
     promise_.resize(tree_.nodes.size());
-    std::vector<Entry> stack{{0, false}};
-    while (!stack.empty()) {
-      const auto [n, done] = stack.back();
-      stack.pop_back();
+    for (std::size_t n = tree_.nodes.size(); n-- > 0;) {  // children come after their parents
       const BinaryNode& node = tree_.nodes[n];
       const double area = node.box.half_area();
-      if (!is_inner(n)) {
+      if (node.count > 0) {
         surface[n] = area;
         cost[n] = node.count;
-      } else if (!done) {
-        stack.insert(stack.end(), {{n, true}, {node.first, false}, {node.first + 1, false}});
-        continue;
-      } else {
+      } else if (node.first > n) {
         cost[n] = 1;
         for (const std::uint32_t c : {node.first, node.first + 1}) {
           const double share = area > 0 ? tree_.nodes[c].box.half_area() / area : 1.0;
@@ -148,6 +143,7 @@ class Collapser {
            static_cast<std::uint32_t>(half);
   }
 
+  /// A node's links; its children's numbers in the binary tree stand in for their extents.
   void emit(Pending at, std::vector<Pending>& stack) {
     const Children children = children_of(at.binary);
     const auto inner = static_cast<std::uint32_t>(
@@ -155,14 +151,16 @@ class Collapser {
     const auto first_inner = static_cast<std::uint32_t>(bvh_.node_count());
     const auto first_slot = static_cast<std::uint32_t>(bvh_.order.size());
     bvh_.texels.resize(bvh_.texels.size() + 4 * inner);
-    std::array<glm::uvec4, 4> words;
-    words[0] = words[1] = words[2] = glm::uvec4(0);
+    // A node with siblings that wait puts one entry under all that lies below it.
+    const std::uint32_t below = at.waiting + (inner > 1 ? 1 : 0);
+    bvh_.stack_entries = std::max(bvh_.stack_entries, below);
+    glm::uvec4 numbers(kAbsent);
     std::array<std::uint32_t, 4> masks{};
     for (std::uint32_t c = 0; c < children.size(); ++c) {
       const BinaryNode& node = tree_.nodes[children.all[c].node];
-      for (int axis = 0; axis < 3; ++axis) words[axis][c] = extent_word(node.box, axis);
+      numbers[c] = children.all[c].node;
       if (children.all[c].inner) {
-        stack.push_back({children.all[c].node, first_inner + c});
+        stack.push_back({children.all[c].node, first_inner + c, below});
         continue;
       }
       const auto from = static_cast<std::uint32_t>(bvh_.order.size()) - first_slot;
@@ -170,26 +168,19 @@ class Collapser {
       bvh_.order.insert(bvh_.order.end(), tree_.order.begin() + node.first,
                         tree_.order.begin() + node.first + node.count);
     }
-    words[3] = {first_inner << 4 | ((1u << inner) - 1u), first_slot, masks[0] | masks[1] << 16,
-                masks[2] | masks[3] << 16};
-    for (int k = 0; k < 4; ++k) bvh_.texels[4 * at.wide + k] = words[k];
+    bvh_.texels[4 * std::size_t(at.wide)] = numbers;
+    bvh_.texels[4 * std::size_t(at.wide) + 3] = {first_inner << 4 | ((1u << inner) - 1u), first_slot,
+                                                 masks[0] | masks[1] << 16, masks[2] | masks[3] << 16};
   }
 
-  /// The deepest stack a walk can need: a node with siblings that wait puts one entry under all that lies
-  /// below it.
-  void measure_stack() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> walk{{0, 0}};
-    while (!walk.empty()) {
-      const auto [node, waiting] = walk.back();
-      walk.pop_back();
-      const std::uint32_t links = bvh_.texels[4 * node + 3].x;
-      std::uint32_t inner = 0;
-      while (inner < 4 && (links >> inner & 1u) != 0) ++inner;
-      const std::uint32_t below = waiting + (inner > 1 ? 1 : 0);
-      bvh_.stack_entries = std::max(bvh_.stack_entries, below);
-      for (std::uint32_t c = 0; c < inner; ++c) walk.emplace_back((links >> 4) + c, below);
+  /// Extents of the children that emit() has named.
+  void write_extents(glm::uvec4* node) const {
+    const glm::uvec4 numbers = node[0];
+    node[0] = node[1] = node[2] = glm::uvec4(0);
+    for (int c = 0; c < 4; ++c) {
+      if (numbers[c] == kAbsent) continue;
+      for (int axis = 0; axis < 3; ++axis) node[axis][c] = extent_word(tree_.nodes[numbers[c]].box, axis);
     }
-    bvh_.stack_entries = std::max(bvh_.stack_entries, 1u);
   }
 
   const BinaryTree& tree_;
