@@ -97,15 +97,7 @@ class Builder {
   void build(Piece& piece, std::size_t at, std::span<Reference> references, std::size_t spare,
              int parallel_depth) const {
     BinaryTree& tree = piece.tree;
-    FloatBox box, centres;
-    for (const Reference& r : references) {
-      box.add(r);
-      const float c[3] = {r.centre(0), r.centre(1), r.centre(2)};
-      for (int a = 0; a < 3; ++a) {
-        centres.low[a] = std::min(centres.low[a], c[a]);
-        centres.high[a] = std::max(centres.high[a], c[a]);
-      }
-    }
+    const auto [box, centres] = bounds_of(references);
     tree.nodes[at].box = to_box(box);
     const std::size_t count = references.size();
     const Split object = count > 1 ? best_object_split(references, centres) : Split{};
@@ -215,8 +207,7 @@ BinaryTree build_binary_tree(std::span<const Box> boxes, std::span<const glm::uv
       boxes.size(),
       [&](std::size_t i) { references[i] = make_reference(boxes[i], static_cast<std::uint32_t>(i)); },
       1 << 14);
-  FloatBox all;
-  for (const Reference& r : references) all.add(r);
+  const FloatBox all = bounds_of(references).box;
   const Cutter cutter(triangles);
   const auto spare =
       cutter.empty() ? 0 : static_cast<std::size_t>(kSpareReferences * static_cast<double>(boxes.size()));

@@ -1,6 +1,9 @@
 #include "scene/bvh_split.h"
 
 #include <array>
+#include <vector>
+
+#include "base/parallel.h"
 
 namespace capcon {
 namespace {
@@ -20,6 +23,35 @@ struct Bin {
 };
 
 using Bins = std::array<Bin, kBins>;
+
+void merge(Bins& into, const Bins& from) {
+  for (int b = 0; b < kBins; ++b) {
+    into[b].box.add(from[b].box);
+    into[b].begins += from[b].begins;
+    into[b].ends += from[b].ends;
+  }
+}
+
+/// Sums of references, by `add(sum, reference)`: of many in parts, on all threads. Parts do not depend on the
+/// number of threads, nor does a minimum, a maximum or a count on parts.
+template <class Sum, class Add, class Merge>
+Sum sum_of(std::span<const Reference> references, const Add& add, const Merge& merge) {
+  constexpr std::size_t kMany = 1 << 18, kPart = 1 << 15;
+  Sum whole;
+  if (references.size() < kMany) {
+    for (const Reference& r : references) add(whole, r);
+    return whole;
+  }
+  std::vector<Sum> sums((references.size() + kPart - 1) / kPart);
+  parallel_for(sums.size(), [&](std::size_t k) {
+    Sum sum;  // its own memory, not beside another thread's
+    for (const Reference& r : references.subspan(k * kPart, std::min(kPart, references.size() - k * kPart)))
+      add(sum, r);
+    sums[k] = sum;
+  });
+  for (const Sum& sum : sums) merge(whole, sum);
+  return whole;
+}
 
 /// The cheapest of the planes between bins. `plane(i)`: where bin i begins.
 template <class Plane>
@@ -53,22 +85,43 @@ void sweep(const Bins& bins, int bin_count, int axis, std::size_t count, std::si
 
 }  // namespace
 
+Bounds bounds_of(std::span<const Reference> references) {
+  return sum_of<Bounds>(
+      references,
+      [](Bounds& sum, const Reference& r) {
+        sum.box.add(r);
+        const float c[3] = {r.centre(0), r.centre(1), r.centre(2)};
+        for (int a = 0; a < 3; ++a) {
+          sum.centres.low[a] = std::min(sum.centres.low[a], c[a]);
+          sum.centres.high[a] = std::max(sum.centres.high[a], c[a]);
+        }
+      },
+      [](Bounds& sum, const Bounds& part) {
+        sum.box.add(part.box);
+        sum.centres.add(part.centres);
+      });
+}
+
 Split best_object_split(std::span<const Reference> references, const FloatBox& centres) {
   const int count = bins_for(2 * references.size());
   std::array<CentreBins, 3> axes;
-  std::array<Bins, 3> bins;
   for (int a = 0; a < 3; ++a) {
     const float width = (centres.high[a] - centres.low[a]) / static_cast<float>(count);
     const bool usable = width > 0 && 1 / width < 3e38f;
     axes[a] = {centres.low[a], usable ? 1 / width : 0, count};
   }
-  for (const Reference& r : references) {
-    for (int a = 0; a < 3; ++a) {
-      Bin& bin = bins[a][axes[a].of(r.centre(a))];
-      bin.box.add(r);
-      ++bin.begins;
-    }
-  }
+  auto bins = sum_of<std::array<Bins, 3>>(
+      references,
+      [&](std::array<Bins, 3>& sum, const Reference& r) {
+        for (int a = 0; a < 3; ++a) {
+          Bin& bin = sum[a][axes[a].of(r.centre(a))];
+          bin.box.add(r);
+          ++bin.begins;
+        }
+      },
+      [](std::array<Bins, 3>& sum, const std::array<Bins, 3>& part) {
+        for (int a = 0; a < 3; ++a) merge(sum[a], part[a]);
+      });
   Split best;
   for (int a = 0; a < 3; ++a) {
     if (!(axes[a].scale > 0)) continue;
@@ -94,20 +147,28 @@ Split best_spatial_split(std::span<const Reference> references, const FloatBox& 
     const auto bin_of = [&](float at) {
       return std::clamp(static_cast<int>((at - low) / width), 0, kBins - 1);
     };
-    Bins bins;
-    std::array<FloatBox, kBins> parts;
-    for (const Reference& r : references) {
-      const int first = bin_of(r.low[axis]), last = std::max(first, bin_of(r.high[axis]));
-      ++bins[first].begins;
-      ++bins[last].ends;
-      if (first == last) {
-        bins[first].box.add(r);
-      } else {
-        cutter.add_parts(r, axis, first, last, plane, parts.data());
-      }
-    }
-    for (int b = 0; b < kBins; ++b) bins[b].box.add(parts[b]);
-    sweep(bins, kBins, axis, references.size(), spare, plane, best);
+    struct Sum {
+      Bins bins;
+      std::array<FloatBox, kBins> parts;
+    };
+    Sum sum = sum_of<Sum>(
+        references,
+        [&](Sum& s, const Reference& r) {
+          const int first = bin_of(r.low[axis]), last = std::max(first, bin_of(r.high[axis]));
+          ++s.bins[first].begins;
+          ++s.bins[last].ends;
+          if (first == last) {
+            s.bins[first].box.add(r);
+          } else {
+            cutter.add_parts(r, axis, first, last, plane, s.parts.data());
+          }
+        },
+        [](Sum& s, const Sum& part) {
+          merge(s.bins, part.bins);
+          for (int b = 0; b < kBins; ++b) s.parts[b].add(part.parts[b]);
+        });
+    for (int b = 0; b < kBins; ++b) sum.bins[b].box.add(sum.parts[b]);
+    sweep(sum.bins, kBins, axis, references.size(), spare, plane, best);
   }
   return best;
 }

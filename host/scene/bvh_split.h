@@ -26,6 +26,12 @@ struct Split {
   double cost = 1e300;  ///< of both sides, counts weighted by half areas
 };
 
+/// The box of all references, and that of their centres.
+struct Bounds {
+  FloatBox box, centres;
+};
+Bounds bounds_of(std::span<const Reference> references);
+
 /// The cheapest division by centres over 32 bins an axis (Wald 2007). `centres`: the box of all centres. None
 /// when all centres coincide.
 Split best_object_split(std::span<const Reference> references, const FloatBox& centres);
