@@ -73,17 +73,20 @@ BinaryTree join(Piece first) {
   if (places.size() == 1) return std::move(first.tree);
   whole.nodes.resize(nodes);
   whole.order.resize(order);
+  const auto moved = [](const Place& p, std::size_t n) {
+    BinaryNode node = p.piece->tree.nodes[n];
+    node.first += static_cast<std::uint32_t>(node.count > 0 ? p.order : p.nodes - 1);
+    return node;
+  };
   parallel_for(places.size(), [&](std::size_t k) {
     const Place& p = places[k];
     const BinaryTree& part = p.piece->tree;
-    for (std::size_t n = 0; n < part.nodes.size(); ++n) {
-      BinaryNode node = part.nodes[n];
-      node.first += static_cast<std::uint32_t>(node.count > 0 ? p.order : p.nodes - 1);
-      whole.nodes[n == 0 ? p.root : p.nodes + n - 1] = node;
-    }
+    for (std::size_t n = 1; n < part.nodes.size(); ++n) whole.nodes[p.nodes + n - 1] = moved(p, n);
     std::copy(part.order.begin(), part.order.end(),
               whole.order.begin() + static_cast<std::ptrdiff_t>(p.order));
   });
+  // Last, as the piece above has an empty node there.
+  for (const Place& p : places) whole.nodes[p.root] = moved(p, 0);
   return whole;
 }
 

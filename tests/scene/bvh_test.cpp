@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <functional>
 
 #include "base/hash.h"
+#include "base/parallel.h"
 
 namespace capcon {
 namespace {
@@ -115,14 +117,28 @@ TEST(Bvh, CostlyPrimitivesGetLeavesOfTheirOwn) {
 }
 
 TEST(Bvh, IsTheSameForAnyNumberOfThreads) {
-  const auto boxes = random_boxes(60000, 1);
-  ::setenv("CAPCON_THREADS", "1", 1);
-  const Bvh one = build_bvh(boxes);
-  ::setenv("CAPCON_THREADS", "4", 1);
-  const Bvh four = build_bvh(boxes);
-  ::unsetenv("CAPCON_THREADS");
-  EXPECT_EQ(one.order, four.order);
-  EXPECT_EQ(one.texels, four.texels);
+  // Many small ones side by side, as those of objects are, so that threads wait where they may; and one so
+  // large that all threads share in a node.
+  for (const auto& [count, builds] : {std::pair(40000, 200), std::pair(300000, 1)}) {
+    const auto boxes = random_boxes(count, 1);
+    ::setenv("CAPCON_THREADS", "1", 1);
+    const Bvh one = build_bvh(boxes);
+    ::setenv("CAPCON_THREADS", "8", 1);
+    std::atomic<int> different = 0;
+    parallel_for(builds, [&](std::size_t) {
+      const BinaryTree tree = build_binary_tree(boxes);
+      for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
+        if (tree.nodes[n].count == 0 && tree.nodes[n].first <= n) {  // a walk would not end
+          ++different;
+          return;
+        }
+      }
+      const Bvh eight = collapse(tree);
+      if (one.order != eight.order || one.texels != eight.texels) ++different;
+    });
+    ::unsetenv("CAPCON_THREADS");
+    EXPECT_EQ(different, 0) << count;
+  }
 }
 
 /// Small triangles and, every thirtieth, one through the whole cube, as texels, and their boxes.
