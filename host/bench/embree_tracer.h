@@ -15,7 +15,7 @@ class EmbreeTracer {
   enum class Call {
     single,  ///< rtcIntersect1, rtcOccluded1
     wide,    ///< rtcIntersect16, rtcOccluded16
-    stream   ///< rtcIntersect1M, rtcOccluded1M over 1024 rays, marked coherent
+    stream   ///< rtcIntersect1M, rtcOccluded1M over 1024 rays; primary rays marked coherent
   };
 
   /// The triangles of `geometry`, with its ids; its instances as Embree's, where it has two levels. Quadrics
