@@ -152,7 +152,8 @@ void cast_stream(RTCScene scene, std::span<const DeviceRay> rays, bool any, cons
                  std::span<DeviceHit> hits) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  // Occlusion rays are not coherent; said to be, they take 2.6 times as long, and with instances Embree 3.13.5 never ends.
+  // Occlusion rays are not coherent; said to be, they take 2.6 times as long, and did not end in
+  // ten minutes on the courtyard in instances (Embree 3.13.5).
   context.flags = any ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT : RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   std::vector<RTCRayHit> block(kStream);
   for (std::size_t from = 0; from < rays.size(); from += kStream) {
